@@ -174,7 +174,7 @@ enum class Use { force, step };
 struct NoCheck {
   static constexpr bool on = false;
   struct Ball {};
-  __device__ Ball load(int /*q*/, int /*points*/, int /*threads*/) const { return {}; }
+  __device__ Ball ofElement(int /*threads*/) const { return {}; }
 };
 
 template <class Element, class Law, class R, bool tangent, Use use, int minBlocks, class Check>
@@ -213,7 +213,7 @@ __global__ void __launch_bounds__(patchThreads(Element::nodes), minBlocks)
       for (int c = 0; c < 3; ++c) v.at[c * v.stride + i] = direction[static_cast<std::size_t>(c) * nodes.count + node];
   }
   if (t < 3) cornerForce[t * plane + plane - 1] = R(0);
-  [[maybe_unused]] const typename Check::Ball firstBall = check.load(0, block.pointCount, threads);
+  [[maybe_unused]] const typename Check::Ball ball = check.ofElement(threads);
   __syncthreads();
 
   if (t < elementCount) {
@@ -226,12 +226,7 @@ __global__ void __launch_bounds__(patchThreads(Element::nodes), minBlocks)
     [[maybe_unused]] bool left = false;
     forEachPoint(element, block.pointCount, [&](int q, const Matrix3<R>& J1, R weight) {
       const Matrix3<R> F = deformationGradient<Element>(element, u, table, q, J1);
-      if constexpr (Check::on) {
-        if constexpr (Element::constantGradient)
-          left = firstBall.left(F, firstBall.radius());
-        else
-          left = check.load(q, block.pointCount, threads).left(F, firstBall.radius()) || left;
-      }
+      if constexpr (Check::on) left = ball.left(F, ball.radius()) || left;
       if constexpr (tangent) {
         const Matrix3<R> dF = naturalGradient<Element>(element, v, table, q) * J1;
         Operators::addForces(timesTranspose(weight * law.linearize(F)(dF), J1), table.dN[q], force);
@@ -243,8 +238,17 @@ __global__ void __launch_bounds__(patchThreads(Element::nodes), minBlocks)
     for (int a = 0; a < n; ++a)
 #pragma unroll
       for (int c = 0; c < 3; ++c) cornerForce[c * plane + a * threads + t] = force[a][c];
+    if constexpr (Check::on && !Element::constantGradient)
+      if (left) {  // by the ball for all points: few do, and their own say more
+        left = false;
+        const float radius = check.own(0, block.pointCount, threads).radius();
+        forEachPoint(element, block.pointCount, [&](int q, const Matrix3<R>& J1, R) {
+          const Matrix3<R> F = deformationGradient<Element>(element, u, table, q, J1);
+          left = check.own(q, block.pointCount, threads).left(F, radius) || left;
+        });
+      }
     if constexpr (Check::on)
-      if (left) {  // few do: they compute and note their deformation gradients once more
+      if (left) {  // they compute and note their deformation gradients once more
         double* const to = check.note(block.pointCount, threads);
         if (to != nullptr)
           forEachPoint(element, block.pointCount, [&](int q, const Matrix3<R>& J1, R) {

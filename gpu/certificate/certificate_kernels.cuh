@@ -30,7 +30,7 @@ struct BallCheck {
   static constexpr bool on = true;
   CertificateView view;
 
-  /// F0 at a point, and, with the first point, the radius: ten numbers in half precision.
+  /// A centre of gradients, and a radius: ten numbers in half precision.
   struct Ball {
     __half2 pair[5];
     __device__ __forceinline__ float radius() const { return __high2float(pair[4]); }
@@ -45,9 +45,14 @@ struct BallCheck {
       return !(radius >= 0 && distance2 <= radius * radius);  // NaN has left
     }
   };
-  __device__ __forceinline__ Ball load(int q, int points, int threads) const {
-    const auto* from = reinterpret_cast<const __half2*>(view.balls) +
-                       (static_cast<std::size_t>(blockIdx.x) * points + q) * 5 * threads + threadIdx.x;
+  /// F0 at a point, and, with the first point, the radius.
+  __device__ __forceinline__ Ball own(int q, int points, int threads) const {
+    return load(view.balls, static_cast<std::size_t>(blockIdx.x) * points + q, threads);
+  }
+  /// The one ball for all points: gradients inside are in their own.
+  __device__ __forceinline__ Ball ofElement(int threads) const { return load(view.centres, blockIdx.x, threads); }
+  static __device__ __forceinline__ Ball load(const std::uint32_t* balls, std::size_t row, int threads) {
+    const auto* from = reinterpret_cast<const __half2*>(balls) + row * 5 * threads + threadIdx.x;
     Ball ball;
 #pragma unroll
     for (int i = 0; i < 5; ++i) ball.pair[i] = from[i * threads];
@@ -152,32 +157,49 @@ struct ElementBound {
     });
   }
 
-  /// Puts a ball around the gradients F(q): its radius, reference gradients and what both lose by rounding.
+  /// Puts a ball around the gradients F(q): its radius, reference gradients and what both lose by rounding; and one
+  /// around their mean.
   template <class Gradients>
   static __device__ void setBall(const Law& law, const CertificateView& view, std::size_t place, int points,
                                  const Gradients& F, double value, double allowance, double strainNorm) {
     TangentDrift drift;
     double rounding2 = 0, size2 = 0;
+    Matrix3<double> mean = Matrix3<double>::zero();
     for (int q = 0; q < points; ++q) {
       const Matrix3<double> own = F(q);
       drift.addPoint(law, own);
-      double lost = 0;
-      __half* ball = ballAt(view, place, points, q);
-#pragma unroll
-      for (int i = 0; i < 9; ++i) {
-        const __half rounded = __double2half(own.m[i]);
-        ball[i / 2 * 2 * threads + i % 2] = rounded;
-        const double d = static_cast<double>(__half2float(rounded)) - own.m[i];
-        lost += d * d;
-      }
-      rounding2 = fmax(rounding2, lost);
+      mean = mean + own;
+      rounding2 = fmax(rounding2, distance2(own, storeCentre(own, ballAt(view, place, points, q))));
       size2 = fmax(size2, innerProduct(own, own));
     }
-    double radius = validityRadius(growthOf(drift.law, value, strainNorm), drift.inversionDistance, allowance);
+    const double radius = validityRadius(growthOf(drift.law, value, strainNorm), drift.inversionDistance, allowance);
     // The test is in single precision: its own rounding comes off too.
-    if (radius < 1e30)
-      radius = (radius - sqrt(rounding2)) * (1 - deviceBallRounding) - deviceGradientRounding * (1 + sqrt(size2));
-    setRadius(view, place, points, HalfRoundedDown(radius >= 0 ? radius : -1.0));
+    const auto around = [&](double off2) {
+      const double own =
+          radius < 1e30 ? (radius - sqrt(off2)) * (1 - deviceBallRounding) - deviceGradientRounding * (1 + sqrt(size2))
+                        : radius;
+      return HalfRoundedDown(own >= 0 ? own : -1.0);
+    };
+    setRadius(ballAt(view, place, points, 0), around(rounding2));
+    if (points == 1) return;
+    const Matrix3<double> centre = storeCentre((1.0 / points) * mean, centreAt(view, place));
+    double off2 = 0;
+    for (int q = 0; q < points; ++q) off2 = fmax(off2, distance2(F(q), centre));
+    setRadius(centreAt(view, place), around(off2));
+  }
+  /// What is stored of a centre.
+  static __device__ Matrix3<double> storeCentre(const Matrix3<double>& centre, __half* ball) {
+    Matrix3<double> stored;
+#pragma unroll
+    for (int i = 0; i < 9; ++i) {
+      const __half rounded = __double2half(centre.m[i]);
+      ball[i / 2 * 2 * threads + i % 2] = rounded;
+      stored.m[i] = static_cast<double>(__half2float(rounded));
+    }
+    return stored;
+  }
+  static __device__ double distance2(const Matrix3<double>& a, const Matrix3<double>& b) {
+    return innerProduct(a - b, a - b);
   }
   /// The ten halves of a point: entry i at [i / 2 * 2 * threads + i % 2].
   static __device__ __forceinline__ __half* ballAt(const CertificateView& view, std::size_t place, int points, int q) {
@@ -185,9 +207,12 @@ struct ElementBound {
            2 * ((place / threads * static_cast<std::size_t>(points) + static_cast<std::size_t>(q)) * 5 * threads +
                 place % threads);
   }
-  static __device__ __forceinline__ void setRadius(const CertificateView& view, std::size_t place, int points,
-                                                   HalfRoundedDown radius) {
-    ballAt(view, place, points, 0)[4 * 2 * threads + 1] = radius.stored();
+  /// Those of the element: its ball where it has one point.
+  static __device__ __forceinline__ __half* centreAt(const CertificateView& view, std::size_t place) {
+    return reinterpret_cast<__half*>(view.centres) + 2 * (place / threads * 5 * threads + place % threads);
+  }
+  static __device__ __forceinline__ void setRadius(__half* ball, HalfRoundedDown radius) {
+    ball[4 * 2 * threads + 1] = radius.stored();
   }
 };
 
@@ -298,7 +323,7 @@ __global__ void __launch_bounds__(patchThreads(Element::nodes))
   Bound::setBall(law, view, place, points, gradientAt, value, allowance, strainNorm);
   // Nothing of a wholly constrained element is left in the problem.
   if (constrained != 0 && value == 0 && strainNorm <= 1e-200)
-    Bound::setRadius(view, place, points, HalfRoundedDown(std::numeric_limits<double>::infinity()));
+    Bound::setRadius(Bound::centreAt(view, place), HalfRoundedDown(std::numeric_limits<double>::infinity()));
 }
 
 /// Elements that have left their balls are evaluated at the gradients that they noted, one a thread; the last block

@@ -24,6 +24,10 @@ struct CertificateView {
   /// Pairs of numbers, [patch][point][5][thread]: F0 row by row, then, with the first point, the radius; < 0: always
   /// left.
   std::uint32_t* balls = nullptr;
+  /// A matrix C of each element and a radius s within which its gradients at all points may lie from it while they are
+  /// in their ball (Theorem 19, docs/theory/incremental_certificate.md), [patch][5][thread]: what a step reads. Of
+  /// elements of one point the ball itself.
+  std::uint32_t* centres = nullptr;
   // Elements that left their balls in the last step.
   std::int32_t* outsidePlace = nullptr;  // [capacity]
   double* outsideF = nullptr;            // [capacity][point][9]

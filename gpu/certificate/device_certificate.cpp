@@ -27,7 +27,8 @@ DeviceCertificate::Impl::Part::Part(DevicePart<double>& of) : body(of) {
   for (const auto& from : body.blocks) {
     const std::size_t places = static_cast<std::size_t>(from.view.patchCount) * static_cast<std::size_t>(from.threads),
                       points = static_cast<std::size_t>(from.points);
-    need += places * (static_cast<std::size_t>(6 * from.elementNodes + 3) * sizeof(double) + points * 20) +
+    need += places * (static_cast<std::size_t>(6 * from.elementNodes + 3) * sizeof(double) +
+                      (points > 1 ? points + 1 : 1) * 20) +
             capacityOf(from) * (9 * points * sizeof(double) + 4);
   }
   requireDeviceMemory(need);
@@ -43,6 +44,7 @@ DeviceCertificate::Impl::Part::Part(DevicePart<double>& of) : body(of) {
     block.allowance = DeviceVector<double>(places);
     block.strainNorm = DeviceVector<double>(places);
     block.balls = DeviceVector<std::uint32_t>(places * points * 5);
+    if (points > 1) block.centres = DeviceVector<std::uint32_t>(places * 5);
     block.outsidePlace = DeviceVector<std::int32_t>(capacity);
     block.outsideF = DeviceVector<double>(capacity * points * 9);
     block.counters = DeviceVector<unsigned>(std::vector<unsigned>{0, 0});
@@ -51,6 +53,7 @@ DeviceCertificate::Impl::Part::Part(DevicePart<double>& of) : body(of) {
                   block.allowance.data(),
                   block.strainNorm.data(),
                   block.balls.data(),
+                  points > 1 ? block.centres.data() : block.balls.data(),
                   block.outsidePlace.data(),
                   block.outsideF.data(),
                   block.counters.data(),

@@ -11,7 +11,7 @@ struct DeviceCertificate::Impl {
     int elementNodes = 0;
     CertificateView view;
     DeviceVector<double> weights, value, allowance, strainNorm, outsideF;
-    DeviceVector<std::uint32_t> balls;
+    DeviceVector<std::uint32_t> balls, centres;
     DeviceVector<std::int32_t> outsidePlace;
     DeviceVector<unsigned> counters;
   };
