@@ -500,6 +500,20 @@ TEST_P(IncrementalNodalBoundTest, InvertedElementsAreLookedAtAndSeldomEvaluated)
   EXPECT_LT(evaluated, inverted);
 }
 
+// Flat elements are close to inversion, so that their balls end there and move on while the body is stretched.
+TEST_P(IncrementalNodalBoundTest, BallsThatMoveCountWhatElementsMayHaveStiffenedBy) {
+  Body body = test::boxBody(GetParam(), "stvk");
+  WorkAccount account(body, 0.1);
+  IncrementalNodalBound bound(body, {}, &account);
+  for (int step = 0; step <= 200; ++step) {
+    const NodeVectors x = Eigen::Vector3d(1 + 0.001 * step, 0.01, 1).asDiagonal() * body.mesh().X;
+    account.earn();
+    const double value = bound.update(x).value;
+    EXPECT_LE(bound.verify(x), 1e-9) << step;
+    EXPECT_GE(value, DenseTangent(body, x).largest() * (1 - 1e-9)) << step;
+  }
+}
+
 TEST_P(IncrementalNodalBoundTest, IsNanWithoutATangentAndRecovers) {
   Body body = test::boxBody(GetParam(), "neo-hookean");
   const NodeVectors& X = body.mesh().X;
