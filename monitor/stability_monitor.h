@@ -41,9 +41,8 @@ struct MonitorOptions {
   double width = 0.05;  ///< of the bracket, relative to the step, that the proven side is steered to
   /// What the bracket may take after the first observation, for both sides and for searches, as a share of a step's own
   /// work, counted (WorkAccount); 0: the tests of balls and one bound from below; from 100 on: no limit. When it is
-  /// used up the proof stays and the bracket becomes wider. Three tenths of it more may go to the proof that h is
-  /// stable, and half of it, while there is none, to telling whether h is proven unstable: in small bodies up to six
-  /// steps' work.
+  /// used up the proof stays and the bracket becomes wider. Telling whether h is proven unstable, while it is not
+  /// proven stable, may take more in small bodies: up to six steps' work.
   double budget = 0.1;
   /// Of the run, as far as known: with a budget the first observation goes beyond the proof of h where all of it takes
   /// no more than three tenths of the budget of so many steps. What it leaves out follows in the run, when there are
