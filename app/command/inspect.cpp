@@ -514,7 +514,8 @@ CriticalStep reportBracket(const Subject& subject, const InspectOptions& options
 
 /// The exact step; empty where its eigenvalue did not converge.
 std::optional<double> reportGlobalStep(const Subject& subject, const InspectOptions& options, InspectResult& result) {
-  const GlobalFrequency global = globalFrequency(subject.body, subject.x);
+  const GlobalFrequency global = options.globalFrequency ? options.globalFrequency(subject.body, subject.x)
+                                                         : globalFrequency(subject.body, subject.x);
   if (!global.converged) {
     result.failure = fmt::format(
         "{}: the global eigenvalue did not converge after {} tangent products; the bracket holds without it",

@@ -9,6 +9,7 @@
 
 #include <ringwatch/app/command/exit_status.h>
 #include <ringwatch/body/body.h>
+#include <ringwatch/monitor/bounds/global_frequency.h>
 #include <ringwatch/monitor/bounds/range_bound.h>
 #include <ringwatch/monitor/critical_step.h>
 #include <ringwatch/monitor/metrics/metrics.h>
@@ -58,8 +59,10 @@ struct InspectOptions {
   std::optional<std::filesystem::path> picture;  // of the distribution, .svg or .png
   std::optional<std::filesystem::path> vtu;
   std::optional<std::filesystem::path> certificate;  // a proof that ringwatch-check can check
-  /// The bracket in place of criticalStep(); metrics are reported where they are asked for then.
+  /// The bracket in place of criticalStep(), at first, and the eigenvalue in place of globalFrequency(); metrics are
+  /// reported where they are asked for then.
   std::function<CriticalStep(const Body& body, const NodeVectors& x, const StepRule& rule)> bracket;
+  std::function<GlobalFrequency(const Body& body, const NodeVectors& x)> globalFrequency;
   std::function<void(const Inspection&)> page;  // told of all that was found, to make a page of it
   int threads = 0;
 };

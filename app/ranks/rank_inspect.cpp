@@ -10,6 +10,7 @@
 #include <ringwatch/app/ranks/together.h>
 #include <ringwatch/distributed/halo.h>
 #include <ringwatch/distributed/rank_body.h>
+#include <ringwatch/distributed/rank_frequency.h>
 #include <ringwatch/distributed/rank_monitor.h>
 
 namespace ringwatch {
@@ -18,7 +19,6 @@ namespace {
 void requireDistributable(const InspectOptions& options) {
   for (const auto& [given, option] : {std::pair{options.step.has_value(), "--step"},
                                       {!options.metrics.empty(), "--metric"},
-                                      {options.global, "--global"},
                                       {options.lanczos.has_value(), "--lanczos"},
                                       {options.exact, "--exact"},
                                       {options.prove.has_value(), "--prove"},
@@ -33,15 +33,12 @@ void requireDistributable(const InspectOptions& options) {
           "{}: is not distributed over ranks; leave it out, or inspect with one process, without mpirun", option));
 }
 
-CriticalStep bracketOnRanks(Ranks& ranks, const Body& body, const NodeVectors& x, const StepRule& rule, int threads) {
-  const Partition partition = cutTogether(ranks, body.mesh());
-  std::optional<RankBody> part;
-  together(ranks, [&] { part.emplace(body, partition, ranks.rank(), threadsOfRank(ranks, threads, body.mesh())); });
-  Halo halo(ranks, *part);
+CriticalStep bracketOnRanks(Ranks& ranks, const RankBody& part, const NodeVectors& x, const StepRule& rule) {
+  Halo halo(ranks, part);
   std::optional<RankMonitor> monitor;
-  together(ranks, [&] { monitor.emplace(ranks, halo, *part, RankMonitorOptions{.limit = rule}); });
-  NodeVectors own(3, part->body().nodeCount());
-  for (std::int32_t i = 0; i < part->body().nodeCount(); ++i) own.col(i) = x.col(part->globalNode(i));
+  together(ranks, [&] { monitor.emplace(ranks, halo, part, RankMonitorOptions{.limit = rule}); });
+  NodeVectors own(3, part.body().nodeCount());
+  for (std::int32_t i = 0; i < part.body().nodeCount(); ++i) own.col(i) = x.col(part.globalNode(i));
   const CriticalStep step = monitor->bracketFromScratch(own);
   together(ranks, [&] {
     if (!step.isBracket()) throw NumericalError("the tangent is not finite");
@@ -53,13 +50,20 @@ CriticalStep bracketOnRanks(Ranks& ranks, const Body& body, const NodeVectors& x
 
 InspectResult inspectOnRanks(Ranks& ranks, const InspectOptions& asked) {
   bool begun = false;
+  std::optional<RankBody> part;
   const auto inspect = [&] {
     requireDistributable(asked);
     InspectOptions options = asked;
     options.bracket = [&](const Body& body, const NodeVectors& x, const StepRule& rule) {
       begun = true;
       requireNoFault(ranks, {});  // of reading the mesh
-      return bracketOnRanks(ranks, body, x, rule, asked.threads);
+      const Partition partition = cutTogether(ranks, body.mesh());
+      together(ranks,
+               [&] { part.emplace(body, partition, ranks.rank(), threadsOfRank(ranks, asked.threads, body.mesh())); });
+      return bracketOnRanks(ranks, *part, x, rule);
+    };
+    options.globalFrequency = [&](const Body& body, const NodeVectors& x) {
+      return globalFrequency(ranks, *part, body, x);
     };
     return inspectMesh(options);
   };

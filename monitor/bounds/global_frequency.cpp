@@ -4,7 +4,6 @@
 #include <limits>
 
 #include <ringwatch/base/random.h>
-#include <ringwatch/monitor/bounds/mass_scaled_operator.h>
 #include <ringwatch/monitor/small/symmetric_eigenpairs.h>
 
 namespace ringwatch {
@@ -15,10 +14,11 @@ constexpr double residualRounding = 1e-8;
 
 }  // namespace
 
-GlobalFrequency globalFrequency(const TangentSource& source, NodeVectorsView x, double tolerance, int maxRestarts) {
+GlobalFrequency globalFrequency(const TangentSource& source, NodeVectorsView x, double tolerance, int maxRestarts,
+                                const TangentProduct& product) {
   source.checkNodal("x", x);
   GlobalFrequency result;
-  const MassScaledOperator op(source, x);
+  const MassScaledOperator op(source, x, product);
   const Eigen::Index n = op.rows();
   // The same start on every run and every machine, free components only, without a symmetry that a mesh could share.
   NodeVectors start(3, source.nodeCount());
@@ -31,11 +31,11 @@ GlobalFrequency globalFrequency(const TangentSource& source, NodeVectorsView x, 
   }
   // The start holds about 1/√n of every mode, so that the highest eigenvalue lies between about 1 and √n of this size.
   // A power of two changes no digit.
-  NodeVectors product(3, source.nodeCount());
-  op.apply(start.data(), product.data());
+  NodeVectors image(3, source.nodeCount());
+  op.apply(start.data(), image.data());
   result.products = op.products();
   // Of a vector: for matrices of fixed rows Eigen 3.4's stableNorm fails an assertion of its own.
-  const double size = Eigen::VectorXd::Map(product.data(), n).stableNorm() / start.norm();
+  const double size = Eigen::VectorXd::Map(image.data(), n).stableNorm() / start.norm();
   if (!std::isfinite(size)) return result;
   if (!(size > 0)) {  // K times a random vector is zero: there is no stiffness
     result.converged = true;
@@ -57,9 +57,9 @@ GlobalFrequency globalFrequency(const TangentSource& source, NodeVectorsView x, 
   const double lambda = found.values[0];
   const Eigen::VectorXd vector = found.vectors.col(0);
   // Spectra only estimates the residual.
-  scaled(vector.data(), product.data());
+  scaled(vector.data(), image.data());
   result.products = op.products();
-  const double residual = (Eigen::VectorXd::Map(product.data(), n) - lambda * vector).norm();
+  const double residual = (Eigen::VectorXd::Map(image.data(), n) - lambda * vector).norm();
   if (!(residual <= std::max(10 * tolerance, residualRounding) * std::abs(lambda))) return result;
   result.converged = true;
   result.lambda = lambda / factor;

@@ -1,18 +1,27 @@
 #pragma once
 #include <algorithm>
+#include <functional>
+#include <utility>
 
 #include <ringwatch/body/discrete_forces.h>
 #include <ringwatch/body/tangent_source.h>
 
 namespace ringwatch {
 
+/// K(x) v of a TangentSource, computed by others: v and the result are 3×N, m and N.
+using TangentProduct = std::function<void(NodeVectorsView v, NodeVectors& Kv)>;
+
 /// v ↦ M^-½ K(x) M^-½ v over the free degrees of freedom, matrix-free; constrained components of v and of the result
 /// are zero. With rigid bodies it is Q M^-½ K M^-½ Q, Q the orthogonal projector onto the mass-scaled motions that
 /// leave them rigid (Theorem 62, docs/theory/rigid_bodies.md).
 class MassScaledOperator {
  public:
-  MassScaledOperator(const TangentSource& source, NodeVectorsView x)
-      : source_(source), x_(x), inverseRootMass_(source.lumpedMass().cwiseSqrt().cwiseInverse()) {}
+  /// product: K(x) v; TangentSource::tangentProduct where there is none.
+  MassScaledOperator(const TangentSource& source, NodeVectorsView x, TangentProduct product = {})
+      : source_(source),
+        x_(x),
+        tangentProduct_(std::move(product)),
+        inverseRootMass_(source.lumpedMass().cwiseSqrt().cwiseInverse()) {}
 
   Eigen::Index rows() const { return 3 * source_.nodeCount(); }
   /// Makes a mass-scaled vector, 3×N, one of the free motions.
@@ -27,7 +36,10 @@ class MassScaledOperator {
     const Eigen::Map<const NodeVectors> v(in, 3, source_.nodeCount());
     Eigen::Map<NodeVectors> y(out, 3, source_.nodeCount());
     scale(v);
-    source_.tangentProduct(x_, scaled_, product_, workspace_);
+    if (tangentProduct_)
+      tangentProduct_(scaled_, product_);
+    else
+      source_.tangentProduct(x_, scaled_, product_, workspace_);
     product_ = product_ * inverseRootMass_.asDiagonal();
     source_.constraints().clearConstrained(product_);
     if (!source_.constraints().rigidBodies().empty()) {
@@ -74,6 +86,7 @@ class MassScaledOperator {
 
   const TangentSource& source_;
   NodeVectorsView x_;
+  TangentProduct tangentProduct_;
   Eigen::VectorXd inverseRootMass_;
   // An operator serves one thread.
   mutable NodeVectors scaled_, product_;

@@ -274,10 +274,13 @@ TEST_F(RanksProgram, Inspects) {
     EXPECT_LE(found["critical_step"]["optimistic"], 1.01 * exact);
     EXPECT_EQ(found["mesh"], json("alone.json")["mesh"]);
     EXPECT_EQ(found["quality"], json("alone.json")["quality"]);
+    const Outcome asked = onRanks(ranks, arguments + " --global --json global.json", "inspect");
+    ASSERT_EQ(asked.status, 0) << asked.err;
+    EXPECT_EQ(json("global.json")["critical_step"]["global"].get<double>(), exact);  // the same bits
+    EXPECT_THAT(asked.out, HasSubstr("the exact value"));
   }
-  for (const auto& [more, what] : {std::pair{"--global", "--global: is not distributed over ranks"},
-                                   {"--metric all", "--metric: is not distributed over ranks"},
-                                   {"--fix 'y <'", "--fix"}}) {
+  for (const auto& [more, what] :
+       {std::pair{"--metric all", "--metric: is not distributed over ranks"}, {"--fix 'y <'", "--fix"}}) {
     const Outcome refused = onRanks(2, arguments + " " + more, "inspect");
     EXPECT_EQ(refused.status, 2);
     ASSERT_EQ(linesOf(refused.err).size(), 1u) << refused.err;
