@@ -1,15 +1,19 @@
 #pragma once
 #include <cuda_fp16.h>
 
+#include <type_traits>
+
 #include <ringwatch/base/rounding.h>
 #include <ringwatch/gpu/certificate/certificate_operations.h>
 #include <ringwatch/monitor/bounds/nodal_weights.h>
 #include <ringwatch/monitor/incremental/rebuild_policy.h>
 #include <ringwatch/monitor/incremental/tangent_growth.h>
 #include <ringwatch/gpu/body/patch_kernels.cuh>
+#include <ringwatch/gpu/certificate/thread_teams.cuh>
+#include <ringwatch/gpu/certificate/warp_tridiagonal.cuh>
 
 /// The block nodal bound and its balls on the device: the arithmetic of monitor/bounds/nodal_weights.h, an element a
-/// thread.
+/// thread, but where a step waits for few elements.
 namespace ringwatch::detail {
 
 /// RoundedDown (base/short_floats.h) of the device, in half precision; infinity stays.
@@ -158,20 +162,28 @@ struct ElementBound {
   }
 
   /// Puts a ball around the gradients F(q): its radius, reference gradients and what both lose by rounding; and one
-  /// around their mean.
-  template <class Gradients>
+  /// around their mean. The threads of the team share the points.
+  template <class Team, class Gradients>
   static __device__ void setBall(const Law& law, const CertificateView& view, std::size_t place, int points,
                                  const Gradients& F, double value, double allowance, double strainNorm) {
     TangentDrift drift;
     double rounding2 = 0, size2 = 0;
     Matrix3<double> mean = Matrix3<double>::zero();
-    for (int q = 0; q < points; ++q) {
+    for (int q = Team::first(); q < points; q += Team::size) {
       const Matrix3<double> own = F(q);
       drift.addPoint(law, own);
       mean = mean + own;
       rounding2 = fmax(rounding2, distance2(own, storeCentre(own, ballAt(view, place, points, q))));
       size2 = fmax(size2, innerProduct(own, own));
     }
+    drift.law.kappa = Team::largest(drift.law.kappa);
+    drift.law.linear = Team::largest(drift.law.linear);
+    drift.law.quadratic = Team::largest(drift.law.quadratic);
+    drift.law.negative = Team::largest(drift.law.negative);
+    drift.law.radius = Team::least(drift.law.radius);
+    drift.inversionDistance = Team::least(drift.inversionDistance);
+    rounding2 = Team::largest(rounding2);
+    size2 = Team::largest(size2);
     const double radius = validityRadius(growthOf(drift.law, value, strainNorm), drift.inversionDistance, allowance);
     // The test is in single precision: its own rounding comes off too.
     const auto around = [&](double off2) {
@@ -180,23 +192,29 @@ struct ElementBound {
                         : radius;
       return HalfRoundedDown(own >= 0 ? own : -1.0);
     };
-    setRadius(ballAt(view, place, points, 0), around(rounding2));
+    if (Team::first() == 0) setRadius(ballAt(view, place, points, 0), around(rounding2));
     if (points == 1) return;
-    const Matrix3<double> centre = storeCentre((1.0 / points) * mean, centreAt(view, place));
+#pragma unroll
+    for (double& entry : mean.m) entry = Team::sum(entry) * (1.0 / points);
+    const Matrix3<double> centre = rounded(mean);
     double off2 = 0;
-    for (int q = 0; q < points; ++q) off2 = fmax(off2, distance2(F(q), centre));
+    for (int q = Team::first(); q < points; q += Team::size) off2 = fmax(off2, distance2(F(q), centre));
+    off2 = Team::largest(off2);
+    if (Team::first() != 0) return;
+    storeCentre(mean, centreAt(view, place));
     setRadius(centreAt(view, place), around(off2));
   }
   /// What is stored of a centre.
-  static __device__ Matrix3<double> storeCentre(const Matrix3<double>& centre, __half* ball) {
+  static __device__ Matrix3<double> rounded(const Matrix3<double>& centre) {
     Matrix3<double> stored;
 #pragma unroll
-    for (int i = 0; i < 9; ++i) {
-      const __half rounded = __double2half(centre.m[i]);
-      ball[i / 2 * 2 * threads + i % 2] = rounded;
-      stored.m[i] = static_cast<double>(__half2float(rounded));
-    }
+    for (int i = 0; i < 9; ++i) stored.m[i] = static_cast<double>(__half2float(__double2half(centre.m[i])));
     return stored;
+  }
+  static __device__ Matrix3<double> storeCentre(const Matrix3<double>& centre, __half* ball) {
+#pragma unroll
+    for (int i = 0; i < 9; ++i) ball[i / 2 * 2 * threads + i % 2] = __double2half(centre.m[i]);
+    return rounded(centre);
   }
   static __device__ double distance2(const Matrix3<double>& a, const Matrix3<double>& b) {
     return innerProduct(a - b, a - b);
@@ -320,27 +338,168 @@ __global__ void __launch_bounds__(patchThreads(Element::nodes))
     return deformationGradient<Element>(element, MeshDisplacements{nodes.u, own}, table, q, geometry.J1);
   };
   const int points = Element::constantGradient ? 1 : block.pointCount;
-  Bound::setBall(law, view, place, points, gradientAt, value, allowance, strainNorm);
+  Bound::template setBall<SingleThread>(law, view, place, points, gradientAt, value, allowance, strainNorm);
   // Nothing of a wholly constrained element is left in the problem.
   if (constrained != 0 && value == 0 && strainNorm <= 1e-200)
     Bound::setRadius(Bound::centreAt(view, place), HalfRoundedDown(std::numeric_limits<double>::infinity()));
 }
 
-/// Elements that have left their balls are evaluated at the gradients that they noted, one a thread; the last block
-/// clears the list.
+/// max(0, lambda_max(D⁻¹ K)), K = Σ over points of w g (∂P/∂F) g at the gradients F(q) that an element had; pointAt(q):
+/// the point's geometry. By one thread: for tetrahedra, whose matrices fit its registers, the fastest way.
 template <class Element, class Law>
-__global__ void __launch_bounds__(32)
+struct ThreadEvaluation {
+  using Team = SingleThread;
+  using Bound = ElementBound<Element, Law>;
+
+  template <class PointAt, class Gradients>
+  __device__ double largest(const Law& law, const ShapeTable<Element, double>& table, int points,
+                            const CertificateView& view, std::size_t patch, int thread, unsigned constrained,
+                            const PointAt& pointAt, const Gradients& F) {
+    double K[Bound::size * Bound::size];
+    Bound::clear(K);
+#pragma unroll 1
+    for (int q = 0; q < points; ++q) {
+      const PointGeometry<Element, double> at = pointAt(q);
+      double g[Bound::n][3];
+      Bound::Operators::shapeGradients(at.J1, table.dN[q], g);
+      Bound::addTangent(law, F(q), at.weight, g, K);
+    }
+    Symmetric3<double> weights[Bound::n];
+    Bound::loadWeights(view, patch, thread, weights);
+    return Bound::largest(K, weights, constrained);
+  }
+};
+/// The same by a warp, whose threads share the 3×3 blocks of the tangent and the rows of its reduction, so that a step
+/// which waits for few elements does not wait long. In memory that the warp shares.
+template <class Element, class Law>
+struct WarpEvaluation {
+  using Team = Warp;
+  using Bound = ElementBound<Element, Law>;
+  static constexpr int n = Bound::n, size = Bound::size, pairs = n * (n + 1) / 2,
+                       rounds = (pairs + Warp::size - 1) / Warp::size;
+  WarpTridiagonal<size> matrix;
+  double factors[n][6];  // L⁻¹ of the weights
+
+  template <class PointAt, class Gradients>
+  __device__ double largest(const Law& law, const ShapeTable<Element, double>& table, int points,
+                            const CertificateView& view, std::size_t patch, int thread, unsigned constrained,
+                            const PointAt& pointAt, const Gradients& F) {
+    const int lane = Warp::first();
+    if (lane < n) {
+      Symmetric3<double> weight;
+      const double* from = view.weights + (patch * 6 * n + 6 * lane) * Bound::threads + thread;
+#pragma unroll
+      for (int c = 0; c < 6; ++c) weight.m[c] = from[c * Bound::threads];
+      invertFactor(factorOf(weight), factors[lane]);
+    }
+    __syncwarp();
+    int first[rounds], second[rounds];  // nodes of this thread's blocks, first <= second
+    Matrix3<double> block[rounds];
+#pragma unroll
+    for (int r = 0; r < rounds; ++r) {
+      int pair = lane + r * Warp::size, a = 0;
+      for (; a < n && pair >= n - a; ++a) pair -= n - a;
+      first[r] = a;  // n: there is none
+      second[r] = a + pair;
+      block[r] = Matrix3<double>::zero();
+    }
+    PointGeometry<Element, double> next = pointAt(0);  // on its way while the one before is computed
+    Matrix3<double> nextF = F(0);
+#pragma unroll 1
+    for (int q = 0; q < points; ++q) {
+      const PointGeometry<Element, double> at = next;
+      const auto linearization = law.linearize(nextF);
+      if (q + 1 < points) {
+        next = pointAt(q + 1);
+        nextF = F(q + 1);
+      }
+      double g[n][3];
+      Bound::Operators::shapeGradients(at.J1, table.dN[q], g);
+      const auto blocks = nodeBlocksOf(linearization, at.weight);
+#pragma unroll
+      for (int r = 0; r < rounds; ++r) {
+        double own[2][3] = {};
+#pragma unroll
+        for (int a = 0; a < n; ++a)
+#pragma unroll
+          for (int j = 0; j < 3; ++j) {
+            if (a == first[r]) own[0][j] = g[a][j];
+            if (a == second[r]) own[1][j] = g[a][j];
+          }
+        block[r] = block[r] + blocks(blocks.node(own[0]), blocks.node(own[1]));
+      }
+    }
+#pragma unroll
+    for (int r = 0; r < rounds; ++r)
+      if (first[r] < n) store(first[r], second[r], block[r], constrained);
+    matrix.reduce();
+    double d[size], e2[size];
+#pragma unroll
+    for (int k = 0; k < size; ++k) {
+      d[k] = matrix.d[k];
+      e2[k] = k + 1 < size ? matrix.e2[k] : 0;
+    }
+    __syncwarp();  // all have read what the next element overwrites
+    const auto extremes = extremesOfTridiagonal<size>(d, e2, size, false);
+    const double l = extremes.largest + eigenvalueRounding * extremes.scale;
+    return l < 0 ? 0 : l;
+  }
+
+ private:
+  /// L_a⁻¹ K_ab L_b⁻ᵀ, without constrained rows and columns, into both triangles.
+  __device__ __forceinline__ void store(int a, int b, Matrix3<double> K, unsigned constrained) {
+    const double *u = factors[a], *w = factors[b];
+#pragma unroll
+    for (int i = 0; i < 3; ++i)
+#pragma unroll
+      for (int j = 0; j < 3; ++j)
+        if ((constrained >> (3 * a + i) & 1U) != 0 || (constrained >> (3 * b + j) & 1U) != 0) K(i, j) = 0;
+#pragma unroll
+    for (int j = 0; j < 3; ++j) {
+      K(2, j) = u[3] * K(0, j) + u[4] * K(1, j) + u[5] * K(2, j);
+      K(1, j) = u[1] * K(0, j) + u[2] * K(1, j);
+      K(0, j) = u[0] * K(0, j);
+    }
+#pragma unroll
+    for (int i = 0; i < 3; ++i) {
+      K(i, 2) = w[3] * K(i, 0) + w[4] * K(i, 1) + w[5] * K(i, 2);
+      K(i, 1) = w[1] * K(i, 0) + w[2] * K(i, 1);
+      K(i, 0) = w[0] * K(i, 0);
+    }
+#pragma unroll
+    for (int i = 0; i < 3; ++i)
+#pragma unroll
+      for (int j = 0; j < 3; ++j)
+        if (a < b || i <= j) {
+          matrix.A[(3 * a + i) * size + 3 * b + j] = K(i, j);
+          matrix.A[(3 * b + j) * size + 3 * a + i] = K(i, j);
+        }
+  }
+};
+
+/// Threads of a block of the next kernel.
+constexpr int refreshThreads = 128;
+/// Elements that have left their balls are evaluated at the gradients that they noted; the last block clears the list.
+template <class Element, class Law>
+__global__ void __launch_bounds__(refreshThreads)
     refreshKernel(const BlockView<double> block, const NodeView<double> nodes, const __grid_constant__ Law law,
                   const __grid_constant__ ShapeTable<Element, double> table, const CertificateView view) {
   using Bound = ElementBound<Element, Law>;
   constexpr int n = Bound::n, threads = Bound::threads;
+  using Evaluation =
+      std::conditional_t<Element::constantGradient, ThreadEvaluation<Element, Law>, WarpEvaluation<Element, Law>>;
+  using Team = typename Evaluation::Team;
+  constexpr int teams = refreshThreads / Team::size;
+  __shared__ Evaluation evaluations[teams];
   const int points = Element::constantGradient ? 1 : block.pointCount;
   const unsigned left = *static_cast<volatile unsigned*>(view.outsideCount);
   const unsigned listed = min(left, static_cast<unsigned>(view.capacity));
   const std::int64_t step = *static_cast<volatile std::int64_t*>(&view.flags->checked);
   bool lost = left > listed, near = false;
   constexpr double nearlyLost = RebuildPolicy{}.nearlyLost;
-  for (unsigned i = blockIdx.x * blockDim.x + threadIdx.x; i < listed; i += gridDim.x * blockDim.x) {
+  const unsigned team = threadIdx.x / Team::size;
+  // The first team of each block, then the second: few elements are spread over all processors.
+  for (unsigned i = team * gridDim.x + blockIdx.x; i < listed; i += teams * gridDim.x) {
     const std::size_t place = view.outsidePlace[i];
     const std::size_t patch = place / threads;
     const auto thread = static_cast<int>(place % threads);
@@ -354,25 +513,19 @@ __global__ void __launch_bounds__(32)
       for (int k = 0; k < 9; ++k) F.m[k] = noted[9 * q + k];
       return F;
     };
-    double K[Bound::size * Bound::size];
-    Bound::clear(K);
-#pragma unroll 1
-    for (int q = 0; q < points; ++q) {
+    const auto pointAt = [&](int q) {
       PointGeometry<Element, double> at;
       at.load(geometry + static_cast<std::size_t>(q) * ElementView<Element, double>::entries * threads);
       if constexpr (Element::constantGradient) at.weight = Element::referenceVolume / determinant(at.J1);
-      double g[n][3];
-      Bound::Operators::shapeGradients(at.J1, table.dN[q], g);
-      Bound::addTangent(law, gradientAt(q), at.weight, g, K);
-    }
-    Symmetric3<double> weights[n];
-    Bound::loadWeights(view, patch, thread, weights);
-    const double value = Bound::largest(K, weights, Bound::constrainedOf(nodes, own, corners));
+      return at;
+    };
+    const double value = evaluations[team].largest(law, table, points, view, patch, thread,
+                                                   Bound::constrainedOf(nodes, own, corners), pointAt, gradientAt);
     const double allowance = view.allowance[place];
     lost = lost || !(value <= allowance);
     near = near || !(value <= nearlyLost * allowance);
-    view.value[place] = value;
-    Bound::setBall(law, view, place, points, gradientAt, value, allowance, view.strainNorm[place]);
+    if (Team::first() == 0) view.value[place] = value;
+    Bound::template setBall<Team>(law, view, place, points, gradientAt, value, allowance, view.strainNorm[place]);
   }
   if (lost) {
     // -1 is the largest of all as an unsigned number: the least step stays.
@@ -395,7 +548,7 @@ __global__ void __launch_bounds__(32)
 template <class Element, class Law>
 struct CertificateLauncher {
   using Patches = PatchLauncher<Element, Law, double>;
-  static constexpr int threads = patchThreads(Element::nodes), refreshBlocks = 132;
+  static constexpr int threads = patchThreads(Element::nodes), refreshBlocks = 264;
 
   static void start(const CertificateArguments& at) {
     startWeightsKernel<Element, Law><<<at.block.patchCount, threads, 0, at.stream>>>(
@@ -421,8 +574,8 @@ struct CertificateLauncher {
                                                    at.stream);
   }
   static void refresh(const CertificateArguments& at) {
-    refreshKernel<Element, Law><<<refreshBlocks, 32, 0, at.stream>>>(at.block, at.nodes, std::get<Law>(at.law.law),
-                                                                     Patches::tableOf(*at.law.rule), at.view);
+    refreshKernel<Element, Law><<<refreshBlocks, refreshThreads, 0, at.stream>>>(
+        at.block, at.nodes, std::get<Law>(at.law.law), Patches::tableOf(*at.law.rule), at.view);
     checkLaunch("refresh of the balls");
   }
 };

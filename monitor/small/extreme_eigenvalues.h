@@ -234,13 +234,11 @@ RINGWATCH_HOST_DEVICE inline TridiagonalBounds<P> tridiagonalBounds(const P* d, 
   return b;
 }
 
-/// Extreme eigenvalues of A (n×n, row by row, destroyed), n >= 1, for an N known to the compiler or N = 0. `work` holds
-/// 4n numbers. fromSingle: iterates in single precision first.
+/// Extreme eigenvalues of a tridiagonal matrix: diagonal d[n], squared off-diagonal e2[n-1], which are destroyed; n >=
+/// 1, N as for extremeEigenvaluesOf.
 template <int N, class P, bool fromSingle = false>
-RINGWATCH_HOST_DEVICE inline ExtremeEigenvalues<P> extremeEigenvaluesOf(P* A, int anyN, P* work, bool wantLeast) {
+RINGWATCH_HOST_DEVICE inline ExtremeEigenvalues<P> extremesOfTridiagonal(P* d, P* e2, int anyN, bool wantLeast) {
   const int n = N > 0 ? N : anyN;
-  P *d = work, *e2 = work + n, *v = work + 2 * n, *p = work + 3 * n;
-  tridiagonalize<N>(A, n, d, e2, v, p);
   P nanGuard(0.0);  // min and max lose NaN: added back; 0 for finite numbers
   for (int k = 0; k < n; ++k) nanGuard += k + 1 < n ? d[k] + e2[k] : d[k];
   nanGuard *= P(0.0);
@@ -270,6 +268,16 @@ RINGWATCH_HOST_DEVICE inline ExtremeEigenvalues<P> extremeEigenvaluesOf(P* A, in
     result.least = select(zero, P(0.0), -bounds.scale * largestByLaguerre<N>(d, e2, n, low)) + nanGuard;
   }
   return result;
+}
+
+/// Extreme eigenvalues of A (n×n, row by row, destroyed), n >= 1, for an N known to the compiler or N = 0. `work` holds
+/// 4n numbers. fromSingle: iterates in single precision first.
+template <int N, class P, bool fromSingle = false>
+RINGWATCH_HOST_DEVICE inline ExtremeEigenvalues<P> extremeEigenvaluesOf(P* A, int anyN, P* work, bool wantLeast) {
+  const int n = N > 0 ? N : anyN;
+  P *d = work, *e2 = work + n, *v = work + 2 * n, *p = work + 3 * n;
+  tridiagonalize<N>(A, n, d, e2, v, p);
+  return extremesOfTridiagonal<N, P, fromSingle>(d, e2, n, wantLeast);
 }
 
 template <class P>

@@ -108,6 +108,40 @@ void ballsHold(const char* element, const char* law, int steps = 300, std::array
               renewed, static_cast<long long>(evaluated));
 }
 
+/// Elements that have left their balls are evaluated by warps; all of them then have the values that the pass over all
+/// elements, a thread each, found at the same state.
+void evaluatesWhatHasLeft() {
+  for (const char* element : elementNames)
+    for (const char* law : lawNames) {
+      const Body body = loadedBar(element, law, {4, 2, 2});
+      DeviceBody<double> device(body);
+      device.setPositions(randomState(body.mesh(), 0.01, 3));
+      DeviceCertificate certificate(device);
+      const std::string what = std::string(element) + " " + law;
+      expect(certificate.certify(2 * certificate.bound(6).value), what + " certified");
+      auto& impl = certificate.impl();
+      double most = 0;
+      for (const auto& part : impl.parts)
+        for (auto& block : part->blocks) {
+          const std::vector<double> expected = block.value.download();
+          constexpr std::uint32_t minusOnes = 0xbc00bc00;  // two numbers in half precision: of radii, always left
+          block.balls.upload(std::vector<std::uint32_t>(block.balls.size(), minusOnes));
+          if (block.centres.size() > 0)
+            block.centres.upload(std::vector<std::uint32_t>(block.centres.size(), minusOnes));
+          block.value.upload(std::vector<double>(expected.size(), -1));
+          certificate.step(1e-9);
+          certificate.status();  // waits for the step
+          const std::vector<double> found = block.value.download();
+          for (std::size_t place = 0; place < expected.size(); ++place)
+            if (expected[place] > 0) most = std::max(most, std::abs(found[place] / expected[place] - 1));
+        }
+      const DeviceCertificate::Status status = certificate.status();
+      expect(status.evaluated == static_cast<std::int64_t>(body.mesh().elementCount()), what + " all are evaluated");
+      expect(status.certified, what + " stays certified");
+      expectAtMost(most, 3e-15, what + " has the values of the pass over all elements");
+    }
+}
+
 void fewAreEvaluated() {
   const Drawn drawn("tet4", "stvk", {16, 8, 8}, 0.02);
   DeviceBody<double> device(drawn.body);
@@ -220,6 +254,7 @@ const Test tests[] = {
      [] {
        for (const char* element : elementNames) ballsHold(element, "stvk", 60, {3, 2, 2});
      }},
+    {"certificate-refresh", true, evaluatesWhatHasLeft},
     {"certificate-few", true, fewAreEvaluated},
     {"certificate-mixed", true, mixedBlocks},
     {"certificate-loses", true, losesWhatItMust},
