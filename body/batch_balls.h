@@ -13,6 +13,7 @@ namespace ringwatch {
 /// point.
 struct BatchBalls {
   const double* centre;                 ///< C of each batch, row by row, and |C|²: [batch][centreSize]
+  const std::uint8_t* diagonal;         ///< [batch]: not zero where C has no entry beside its diagonal
   const RoundedDown<Bfloat16>* square;  ///< s² of each element about it, [batch][lane]; < 0: nothing is inside
   const std::uint8_t* byOwn;            ///< [batch]: not zero where elements have a C each
   const std::int16_t* ownCentre;        ///< these, [batch][point][9][lane], as multiples of
@@ -32,6 +33,7 @@ struct BatchBalls {
     RINGWATCH_INLINE void start(const BatchBalls& balls, std::int32_t batch, int points, bool byOwn) {
       const std::ptrdiff_t first = batch;
       centre_ = balls.centre + centreSize * first;
+      diagonal_ = balls.diagonal[batch] != 0;
       own_ = byOwn ? balls.ownCentre + 9 * nativeWidth * first * points : nullptr;
       unit_ = balls.unit;
       if (byOwn) {
@@ -40,6 +42,7 @@ struct BatchBalls {
         square_ = radius * math::abs(radius);
       } else {
         square_ = RoundedDown<Bfloat16>::load(balls.square + first * nativeWidth);
+        room_ = NativePack(0.5) * (square_ - NativePack(centre_[placeOfSquare] + dimensions));
       }
       inside_ = square_ >= NativePack(0.0);
     }
@@ -53,14 +56,16 @@ struct BatchBalls {
       }
       inside_ = inside_ & (sums[0] + sums[1] + sums[2] <= square_);
     }
-    /// The same in half the operations where tr E = (|F|² - 3)/2 is known: |F - C|² <= s² as
-    /// tr E - C:F <= (s² - |C|² - 3)/2.
+    /// The same in half the operations where tr E = (|F|² - 3)/2 is known, in a sixth where C is diagonal:
+    /// |F - C|² <= s² as tr E - C:F <= (s² - |C|² - 3)/2.
     RINGWATCH_INLINE void add(const Matrix3<NativePack>& F, const NativePack& traceOfStrain) {
       if (own_) return add(F);
       NativePack sums[3] = {traceOfStrain, NativePack(0.0), NativePack(0.0)};
-      for (int i = 0; i < 9; ++i) sums[i % 3] -= F.m[i] * NativePack(centre_[i]);
-      inside_ = inside_ & (sums[0] + sums[1] + sums[2] <=
-                           NativePack(0.5) * (square_ - NativePack(centre_[placeOfSquare] + dimensions)));
+      for (int i = 0; i < 9; i += 4) sums[i / 4] -= F.m[i] * NativePack(centre_[i]);
+      if (!diagonal_)
+        for (int i = 0; i < 9; ++i)
+          if (i % 4 != 0) sums[i % 3] -= F.m[i] * NativePack(centre_[i]);
+      inside_ = inside_ & (sums[0] + sums[1] + sums[2] <= room_);
     }
     RINGWATCH_INLINE NativePack::Mask inside() const { return inside_; }
     RINGWATCH_INLINE bool left() const { return !allOf(inside_); }
@@ -71,7 +76,8 @@ struct BatchBalls {
     const double* centre_;
     const std::int16_t* own_;
     double unit_;
-    NativePack square_;
+    bool diagonal_;
+    NativePack square_, room_;  // room_: (s² - |C|² - 3)/2
     NativePack::Mask inside_;
   };
 };

@@ -217,11 +217,7 @@ void RunCertificate::reduceBesideDiscreteForces() {
 
 std::vector<RunCertificate::Leaver> RunCertificate::growBalls(NodeVectorsView x,
                                                               const std::vector<ElementRef>& elements) {
-  struct Need {
-    double allowance;
-    TangentDrift drift;
-  };
-  std::vector<Need> needs(elements.size());
+  needs_.resize(elements.size());
   forEachPack(elements, [&](std::int32_t b, const std::int32_t* pack, const std::size_t* index) {
     const ElementBlock& block = *body().blocks()[b];
     std::vector<double> F(9 * block.rule().points.size() * lanes);
@@ -240,13 +236,13 @@ std::vector<RunCertificate::Leaver> RunCertificate::growBalls(NodeVectorsView x,
       if (inversionEndsBall && need <= allowance({b, pack[lane]}) &&
           !moveBall({b, pack[lane]}, F.data(), lane, drift[lane], here))
         need = infinity;
-      needs[index[lane]] = {need, drift[lane]};
+      needs_[index[lane]] = {need, drift[lane]};
     }
   });
   std::vector<Leaver> grown, others;
   for (std::size_t i = 0; i < elements.size(); ++i) {
-    note(elements[i], needs[i].drift);
-    const double own = allowance(elements[i]), need = needs[i].allowance;
+    note(elements[i], needs_[i].drift);
+    const double own = allowance(elements[i]), need = needs_[i].allowance;
     const Leaver leaver{elements[i], need <= own ? 1 : own > 0 && need < infinity ? need / own : infinity};
     (leaver.need <= 1 ? grown : others).push_back(leaver);
   }

@@ -165,6 +165,12 @@ class RunCertificate : public CertificateState<RoundedDown<float>> {
   Reference store(const EvaluatedPack& pack, int lane, bool withStrainNorm);
   void note(ElementRef e, const TangentDrift& drift) { note(e, drift.determinant, drift.law.negative); }
 
+  /// What a leaver needs to stay inside, and what its law says at its gradients.
+  struct Need {
+    double allowance;
+    TangentDrift drift;
+  };
+
   int elementsOfFrame_ = RebuildPolicy{}.elementsOfFrame;
   std::vector<BlockData> blocks_;
   std::vector<Eigen::Quaternionf> frames_;
@@ -174,6 +180,7 @@ class RunCertificate : public CertificateState<RoundedDown<float>> {
   std::vector<Eigen::Matrix3d> needed_;                          // majorants of discrete forces
   std::vector<std::int32_t> neededAt_;                           // where they are not zero
   std::vector<std::vector<std::vector<std::int32_t>>> outside_;  // elements, [block][patch]
+  std::vector<Need> needs_;                                      // of growBalls, kept for its memory
 };
 
 }  // namespace ringwatch

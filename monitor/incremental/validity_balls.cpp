@@ -1,6 +1,7 @@
 #include <ringwatch/monitor/incremental/validity_balls.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 
@@ -21,9 +22,13 @@ constexpr double smallestRadius = 1e-6;
 constexpr double leastAroundCentre = 0.01;
 /// Checks for which the elements of a batch are compared with their own gradients where no centre serves.
 constexpr std::uint8_t checksByOwn = 16;
-/// Work of a check, in WorkAccount's units: of comparing an element at a quadrature point with its batch's centre, more
-/// with its own gradient, and of looking at it again, a new centre included.
-constexpr double workOfCommonTest = 0.13, workOfOwnTest = 0.3, workOfVisit = 2;
+/// A centre is diagonal where what it loses beside its diagonal is no more than this part of the least radius.
+constexpr double mostBesideDiagonal = 0.1;
+/// Work of a check, in WorkAccount's units: of comparing an element at a quadrature point with its batch's centre, with
+/// one that is diagonal, more with its own gradient, and of looking at it again, a new centre included, with what a
+/// batch takes for that beside.
+constexpr double workOfCommonTest = 0.15, workOfDiagonalTest = 0.1, workOfOwnTest = 0.3, workOfVisit = 2,
+                 workOfVisitedBatch = 30;
 
 /// An entry of the stored reference gradients of a batch.
 RINGWATCH_INLINE P storedEntry(const std::int16_t* units) {
@@ -36,6 +41,12 @@ std::uint64_t wordOf(const std::vector<std::uint8_t>& bytes, std::int32_t batch)
   std::uint64_t word = 0;
   std::memcpy(&word, bytes.data() + batch, sizeof word);
   return word;
+}
+
+/// How many bytes of a word are not zero: each of them gets its highest bit.
+int bytesSet(std::uint64_t word) {
+  constexpr std::uint64_t high = 0x8080808080808080, low = ~high;
+  return std::popcount((((word & low) + low) | word) & high);
 }
 
 double sumOverLanes(const P& values) {
@@ -111,6 +122,7 @@ ValidityBalls::ValidityBalls(const ElementBlock& block)
   for (std::size_t place = 0; place < radius_.size(); ++place)
     if (layout.elements[place] < 0) radius_[place] = infinity;
   centre_.assign(BatchBalls::centreSize * batches, 0);
+  diagonal_.assign(batches, 0);
   squareAroundCentre_.assign(batches * lanes, -1);
 }
 
@@ -184,15 +196,35 @@ bool ValidityBalls::moveCentre(std::int32_t batch, const double* F, const P::Mas
   const P least(smallestRadius), size = math::max(radius, least);
   const P weight = select(counts, least * least / (size * size), P(0.0));
   const double sumOfWeights = points_ * sumOverLanes(weight);
-  double* const centre = centre_.data() + BatchBalls::centreSize * batch;
-  double squareOfCentre = 0;
+  double mean[9], diagonal[9] = {}, besideDiagonal2 = 0;
   for (int i = 0; i < 9; ++i) {
     P sum(0.0);
     for (int q = 0; q < points_; ++q) sum += select(counts, P::load(F + (9 * q + i) * lanes), P(0.0));
-    centre[i] = sumOfWeights > 0 ? sumOverLanes(sum * weight) / sumOfWeights : 0;
+    mean[i] = sumOfWeights > 0 ? sumOverLanes(sum * weight) / sumOfWeights : 0;
+    if (i % 4 == 0)
+      diagonal[i] = mean[i];
+    else
+      besideDiagonal2 += mean[i] * mean[i];
+  }
+  double leastRadius = infinity;
+  for (int lane = 0; lane < lanes; ++lane)
+    if (radius[lane] >= 0) leastRadius = std::min(leastRadius, radius[lane]);
+  return (besideDiagonal2 <= mostBesideDiagonal * mostBesideDiagonal * leastRadius * leastRadius &&
+          setCentre(batch, diagonal, true, F, of)) ||
+         setCentre(batch, mean, false, F, of);
+}
+
+bool ValidityBalls::setCentre(std::int32_t batch, const double (&given)[9], bool isDiagonal, const double* F,
+                              const P::Mask& of) {
+  const P radius = RoundedDown<Bfloat16>::load(radius_.data() + firstOf(batch));
+  double* const centre = centre_.data() + BatchBalls::centreSize * batch;
+  double squareOfCentre = 0;
+  for (int i = 0; i < 9; ++i) {
+    centre[i] = given[i];
     squareOfCentre += centre[i] * centre[i];
   }
   centre[BatchBalls::placeOfSquare] = squareOfCentre;
+  diagonal_[static_cast<std::size_t>(batch)] = isDiagonal;
   const std::int16_t* reference = referenceOf(batch);
   P farthest2(0.0);
   for (int q = 0; q < points_; ++q) {
@@ -239,11 +271,15 @@ void ValidityBalls::checkPatch(const PatchPass& pass, std::vector<std::int32_t>&
 
 double ValidityBalls::workOfCheck() const {
   const auto count = [](const std::vector<std::uint8_t>& of) {
-    return static_cast<double>(std::count_if(of.begin(), of.end(), [](std::uint8_t one) { return one != 0; }));
+    const auto whole = static_cast<std::int32_t>(of.size()) / batchesOfWord * batchesOfWord;
+    std::ptrdiff_t sum = std::count_if(of.begin() + whole, of.end(), [](std::uint8_t one) { return one != 0; });
+    for (std::int32_t first = 0; first < whole; first += batchesOfWord) sum += bytesSet(wordOf(of, first));
+    return static_cast<double>(sum);
   };
-  return (workOfCommonTest * static_cast<double>(batchCount()) + workOfOwnTest * count(byOwn_) +
-          workOfVisit * count(left_)) *
-         lanes * points_;
+  const double batches = static_cast<double>(batchCount()), diagonal = count(diagonal_), visited = count(left_);
+  const double ofPoint = workOfCommonTest * (batches - diagonal) + workOfDiagonalTest * diagonal +
+                         workOfOwnTest * count(byOwn_) + workOfVisit * visited;
+  return ofPoint * lanes * points_ + workOfVisitedBatch * visited;
 }
 
 std::size_t ValidityBalls::testedBatches() const {

@@ -57,7 +57,7 @@ class ValidityBalls {
 
   template <class Archive>
   void archive(Archive& a) {
-    a(referenceGradient_, radius_, centre_, squareAroundCentre_, byOwn_);
+    a(referenceGradient_, radius_, centre_, diagonal_, squareAroundCentre_, byOwn_);
   }
 
  private:
@@ -70,19 +70,28 @@ class ValidityBalls {
   }
   /// As a pass compares with them.
   BatchBalls balls() {
-    return {
-        centre_.data(), squareAroundCentre_.data(), byOwn_.data(), referenceGradient_.data(), entryUnit, radius_.data(),
-        left_.data()};
+    return {centre_.data(),
+            diagonal_.data(),
+            squareAroundCentre_.data(),
+            byOwn_.data(),
+            referenceGradient_.data(),
+            entryUnit,
+            radius_.data(),
+            left_.data()};
   }
   /// Gives the batch the mean of the gradients of the elements `of` as its centre, those with small balls first.
   /// Whether these are inside by it.
   bool moveCentre(std::int32_t batch, const double* F, const NativePack::Mask& of);
+  /// The same for a centre that is given.
+  bool setCentre(std::int32_t batch, const double (&centre)[9], bool diagonal, const double* F,
+                 const NativePack::Mask& of);
 
   const ElementBlock* block_;
   int points_;
   AlignedVector<std::int16_t> referenceGradient_;  // [batch][q][9][lane], in units
   AlignedVector<RoundedDown<Bfloat16>> radius_;    // [batch][lane]
   std::vector<double> centre_;                     // [batch], as BatchBalls has it
+  std::vector<std::uint8_t> diagonal_;             // the same
   /// s² of the elements, [batch][lane]; < 0: there is none.
   AlignedVector<RoundedDown<Bfloat16>> squareAroundCentre_;
   // [batch]: checks in which its elements are still compared with their own gradients, before its centre is moved again

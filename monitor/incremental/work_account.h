@@ -233,7 +233,7 @@ class WorkAccount {
   // pyramids and 40 000 hexahedra. evaluationsOfRebuild: 6 to 14 of them, with their strain norms.
   static constexpr double evaluationsOfTangent = 0.4, evaluationsOfRebuild = 12, forcesOfProduct = 1.9,
                           dearerInRegion = 1.3;
-  static constexpr double unitsOfFetching = 100, unitsOfGrowth = 40, unitsOfGradient = 20, unitsOfRing = 12000,
+  static constexpr double unitsOfFetching = 100, unitsOfGrowth = 80, unitsOfGradient = 55, unitsOfRing = 12000,
                           unitsOfEigenvectors = 1.2;
   static constexpr double evaluationsOfDecomposition = 2.8, evaluationsOfFactorisation = 2.8;
   static constexpr double evaluationsOfShares = 26, evaluationsOfIteration = 4.7;

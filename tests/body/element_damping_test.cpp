@@ -237,9 +237,12 @@ TEST(ElementDamping, OnePassHasTheForcesOfTwoAndTheirPower) {
       const std::vector<double> centre(BatchBalls::centreSize * batches);
       const std::vector<RoundedDown<Bfloat16>> radius(batches * lanes, infinity);
       const std::vector<std::int16_t> ownCentre(9 * batches * mostPoints * lanes);
-      std::vector<std::uint8_t> byOwn(batches), left(batches, 1);
-      for (std::size_t batch = 0; batch < batches; ++batch) byOwn[batch] = batch % 2;
-      const BatchBalls balls{centre.data(), radius.data(), byOwn.data(), ownCentre.data(), 1,
+      std::vector<std::uint8_t> diagonal(batches), byOwn(batches), left(batches, 1);
+      for (std::size_t batch = 0; batch < batches; ++batch) {
+        diagonal[batch] = batch / 2 % 2;
+        byOwn[batch] = batch % 2;
+      }
+      const BatchBalls balls{centre.data(), diagonal.data(), radius.data(), byOwn.data(), ownCentre.data(), 1,
                              radius.data(), left.data()};
       pass.run(&balls);
       for (auto batch = static_cast<std::size_t>(pass.patch().batchBegin); batch < batches; ++batch)

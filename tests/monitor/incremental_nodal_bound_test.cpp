@@ -144,7 +144,7 @@ TEST(WorkAccount, EarnsSpendsAndForgives) {
   EXPECT_NEAR(WorkAccount::ofEvaluation(body), evaluation, 1e-12 * evaluation);
   EXPECT_NEAR(WorkAccount::ofForce(body), force, 1e-12 * force);
   // Single elements are fetched: 120 units.
-  EXPECT_NEAR(WorkAccount::ofEvaluation(body, std::vector<ElementRef>{{0, 0}, {0, 1}}), 2 * (1728.0 / 26 + 120), 1e-10);
+  EXPECT_NEAR(WorkAccount::ofEvaluation(body, std::vector<ElementRef>{{0, 0}, {0, 1}}), 2 * (1728.0 / 26 + 155), 1e-10);
   WorkAccount account(body, 0.5);
   EXPECT_TRUE(account.limited());
   // A hundred steps' share of the proven side is there in advance.

@@ -272,6 +272,32 @@ TEST(ValidityBalls, RadiiThatMoveMoveWhatIsFound) {
   EXPECT_TRUE(checked.check(3 * X).empty());
 }
 
+TEST(ValidityBalls, AreComparedWithDiagonalCentresWhereLittleIsBesideTheDiagonal) {
+  const Body body = longBar();
+  const NodeVectors& X = body.mesh().X;
+  Checked checked(body);
+  checked.setBalls(X, 0.2);
+  const Eigen::Matrix3d stretch = Eigen::Vector3d(1.05, 1, 1).asDiagonal();
+  Eigen::Matrix3d little = stretch, sheared = stretch;
+  little(0, 1) = 0.01;   // less than a tenth of the radius
+  sheared(0, 1) = 0.05;  // more
+  const auto workAt = [&](const Eigen::Matrix3d& F) {
+    EXPECT_TRUE(checked.check(F * X).empty());  // gets its centres
+    EXPECT_TRUE(checked.checkWithForce(F * X).empty());
+    EXPECT_EQ(checked.balls.testedBatches(), 0U);
+    // Just outside of every ball, beside the diagonal: whatever the centre, no element is missed.
+    Eigen::Matrix3d far = F;
+    far(2, 1) = 0.2;
+    return std::pair{checked.balls.workOfCheck(), checked.checkWithForce(far * X).size()};
+  };
+  const auto [ofLittle, foundBesideLittle] = workAt(little);
+  checked.setBalls(X, 0.2);
+  const auto [ofSheared, foundBesideSheared] = workAt(sheared);
+  EXPECT_EQ(foundBesideLittle, checked.block.elementCount());
+  EXPECT_EQ(foundBesideSheared, checked.block.elementCount());
+  EXPECT_NEAR(ofSheared / ofLittle, 1.5, 1e-12);
+}
+
 TEST(ValidityBalls, OneNodeThatMovesHasFewBatchesTested) {
   const Body body = longBar();
   Checked checked(body);
