@@ -1,5 +1,7 @@
 #include <ringwatch/distributed/rank_frequency.h>
 
+#include <exception>
+
 #include <ringwatch/distributed/rank_energies.h>
 
 namespace ringwatch {
@@ -52,14 +54,15 @@ class RankProducts {
 GlobalFrequency globalFrequency(Ranks& ranks, const RankBody& part, const Body& whole, NodeVectorsView x) {
   RankProducts products(ranks, part, x);
   GlobalFrequency found;
+  std::exception_ptr fault;
   if (ranks.rank() == 0) {
-    // The others wait until they are told that there is nothing more.
-    struct End {
-      RankProducts& products;
-      ~End() { products.end(); }
-    } end{products};
-    found = globalFrequency(whole, x, GlobalFrequency::usualTolerance, GlobalFrequency::mostRestarts,
-                            [&](NodeVectorsView v, NodeVectors& Kv) { Kv = products.of(v); });
+    try {
+      found = globalFrequency(whole, x, GlobalFrequency::usualTolerance, GlobalFrequency::mostRestarts,
+                              [&](NodeVectorsView v, NodeVectors& Kv) { Kv = products.of(v); });
+    } catch (...) {  // memory for its vectors; the others wait for a word all the same
+      fault = std::current_exception();
+    }
+    products.end();
   } else {
     products.serve();
   }
@@ -69,6 +72,7 @@ GlobalFrequency globalFrequency(Ranks& ranks, const RankBody& part, const Body& 
     double lambda;
   } told{found.converged, found.products, found.lambda};
   ranks.share(&told, sizeof told, 0);
+  if (fault) std::rethrow_exception(fault);
   found.converged = told.converged;
   found.products = told.products;
   found.lambda = told.lambda;
