@@ -1,5 +1,5 @@
 # Precompiled headers: what nearly every file includes is parsed once for the libraries, once for what is compiled with -O1 and
-# once for the tests. Every file still includes what it uses: `check_headers` and -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON build
+# once for the tests. Every file still includes what it uses: scripts/check_headers and -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON build
 # without them.
 #
 # ringwatch_precompile(NAME LINKS … HEADERS …) makes a set of headers; ringwatch_use_precompiled(TARGET NAME) lets a

@@ -56,10 +56,7 @@ macro(ringwatch_find_package component)
   set_property(GLOBAL APPEND PROPERTY RINGWATCH_PACKAGES_${component} "${ringwatch_package}")
 endmacro()
 
-# `check_headers` compiles every header alone, with nothing but what its folder links: its library, or what is named.
-if(RINGWATCH_BUILD_TESTS)
-  add_custom_target(check_headers)
-endif()
+# For scripts/check_headers: every header of a folder alone, with nothing but what its folder links, its library, or what is named.
 function(ringwatch_check_headers name)
   ringwatch_sources(headers ENDING .h)
   set(sources "")
@@ -76,7 +73,6 @@ function(ringwatch_check_headers name)
     endif()
     target_link_libraries(ringwatch_${name}_headers PRIVATE ${links} ringwatch_options)
     target_compile_options(ringwatch_${name}_headers PRIVATE -O0 -g0)
-    add_dependencies(check_headers ringwatch_${name}_headers)
   endif()
 endfunction()
 
