@@ -37,11 +37,7 @@ class RankProducts {
     part_.body().tangentProduct(x_, ownOf(v_), product_, workspace_);
     return gathered(ranks_, part_, product_);
   }
-  NodeVectors ownOf(NodeVectorsView whole) const {
-    NodeVectors own(3, part_.body().nodeCount());
-    for (std::int32_t i = 0; i < part_.body().nodeCount(); ++i) own.col(i) = whole.col(part_.globalNode(i));
-    return own;
-  }
+  NodeVectors ownOf(NodeVectorsView whole) const { return whole(Eigen::all, part_.globalNodes()); }
 
   Ranks& ranks_;
   const RankBody& part_;

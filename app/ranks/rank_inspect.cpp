@@ -37,8 +37,7 @@ CriticalStep bracketOnRanks(Ranks& ranks, const RankBody& part, const NodeVector
   Halo halo(ranks, part);
   std::optional<RankMonitor> monitor;
   together(ranks, [&] { monitor.emplace(ranks, halo, part, RankMonitorOptions{.limit = rule}); });
-  NodeVectors own(3, part.body().nodeCount());
-  for (std::int32_t i = 0; i < part.body().nodeCount(); ++i) own.col(i) = x.col(part.globalNode(i));
+  const NodeVectors own = x(Eigen::all, part.globalNodes());
   const CriticalStep step = monitor->bracketFromScratch(own);
   together(ranks, [&] {
     if (!step.isBracket()) throw NumericalError("the tangent is not finite");
