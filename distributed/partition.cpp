@@ -42,6 +42,22 @@ class Strategy {
   SCOTCH_Strat strategy_;
 };
 
+/// The number that comes most often, of several such numbers the least. Sorts them; there must be one.
+std::int32_t mostFrequent(std::vector<std::int32_t>& numbers) {
+  std::sort(numbers.begin(), numbers.end());
+  std::int32_t result = numbers.front();
+  std::ptrdiff_t most = 0;
+  for (auto begin = numbers.begin(); begin != numbers.end();) {
+    const auto end = std::upper_bound(begin, numbers.end(), *begin);
+    if (end - begin > most) {
+      most = end - begin;
+      result = *begin;
+    }
+    begin = end;
+  }
+  return result;
+}
+
 }  // namespace
 
 Partition partitionOf(const Mesh& mesh, std::vector<std::int32_t> partOfElement, int parts) {
@@ -58,18 +74,17 @@ Partition partitionOf(const Mesh& mesh, std::vector<std::int32_t> partOfElement,
     own.clear();
     for (const ElementNode& at : elements.row(node))
       own.push_back(partition.ofElement[first[at.block] + static_cast<std::size_t>(at.element)]);
-    std::sort(own.begin(), own.end());
-    std::ptrdiff_t most = 0;
-    for (auto begin = own.begin(); begin != own.end();) {
-      const auto end = std::upper_bound(begin, own.end(), *begin);
-      if (end - begin > most) {
-        most = end - begin;
-        partition.ofNode[node] = *begin;
-      }
-      begin = end;
-    }
+    if (!own.empty()) partition.ofNode[node] = mostFrequent(own);
   }
   return partition;
+}
+
+void keepTogether(Partition& partition, std::span<const std::int32_t> group) {
+  std::vector<std::int32_t> owners;
+  for (const std::int32_t node : group) owners.push_back(partition.ofNode[node]);
+  if (owners.empty()) return;
+  const std::int32_t owner = mostFrequent(owners);
+  for (const std::int32_t node : group) partition.ofNode[node] = owner;
 }
 
 Partition partitionMesh(const Mesh& mesh, int parts) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <ringwatch/distributed/ranks.h>
@@ -22,6 +23,9 @@ Partition partitionOf(const Mesh& mesh, std::vector<std::int32_t> partOfElement,
 /// differently; what is computed on the parts does not depend on it (Theorem 78, docs/theory/distribution.md). Throws
 /// InputError for parts < 1 and where Scotch refuses.
 Partition partitionMesh(const Mesh& mesh, int parts);
+/// Gives all nodes of a group to the part that owns most of them, of several such parts to the first. Groups share no
+/// node.
+void keepTogether(Partition& partition, std::span<const std::int32_t> group);
 /// A part for each rank: rank 0 cuts the mesh, which all have, and tells the others. Collective.
 Partition partitionMesh(Ranks& ranks, const Mesh& mesh);
 

@@ -117,4 +117,9 @@ RankBody::RankBody(const Body& whole, const Partition& partition, int rank, int 
   }
 }
 
+void RankBody::nameElementsBy(const std::vector<std::vector<std::int32_t>>& numbers) {
+  for (std::size_t b = 0; b < globalElements_.size(); ++b)
+    for (std::int32_t& element : globalElements_[b]) element = numbers[b][element];
+}
+
 }  // namespace ringwatch

@@ -35,6 +35,9 @@ class RankBody {
   const std::vector<std::int32_t>& globalNodes() const { return globalNodes_; }
   /// The element in the whole.
   ElementRef globalElement(ElementRef e) const { return {e.block, globalElements_[e.block][e.element]}; }
+  /// The whole is some elements of a larger body, whose numbers there are given by block, ascending: elements are named
+  /// by them from here on.
+  void nameElementsBy(const std::vector<std::vector<std::int32_t>>& numbers);
   /// Whether this rank counts the element where each is to count once: the one that owns its first node.
   bool counts(ElementRef e) const { return body_->blocks()[e.block]->nodesOf(e.element).front() < owned_; }
 

@@ -103,17 +103,6 @@ bool RankMonitor::renew(NodeVectorsView x, bool newWeights, double wanted) {
   return true;
 }
 
-/// The first element of all that a rank has found, by its number in the whole.
-ElementRef RankMonitor::firstOf(bool mine, ElementRef local) {
-  std::int64_t code = std::numeric_limits<std::int64_t>::max();
-  if (mine) {
-    const ElementRef e = part_.globalElement(local);
-    code = (std::int64_t{e.block} << 32) | e.element;
-  }
-  code = ranks_.least(code);
-  return {code >> 32, code & 0xffffffff};
-}
-
 /// The element that holds most of the sum at the first node where it is highest.
 void RankMonitor::nameControlling(double bound) {
   const NodalBound& weights = certificate_.weights();
@@ -122,7 +111,7 @@ void RankMonitor::nameControlling(double bound) {
     if (weights.nodal()[node] == bound) top = node;
   const std::int64_t none = std::numeric_limits<std::int64_t>::max();
   const bool mine = ranks_.least(top < 0 ? none : part_.globalNode(top)) == (top < 0 ? -1 : part_.globalNode(top));
-  ElementRef highest;
+  std::optional<ElementRef> highest;
   double most = -1;
   if (mine)
     for (const NodalBound::Incidence at : weights.incidences(top)) {
@@ -130,10 +119,10 @@ void RankMonitor::nameControlling(double bound) {
       const double share = weights.value(e) * weights.weight(at).trace();
       if (share > most) {
         most = share;
-        highest = e;
+        highest = part_.globalElement(e);
       }
     }
-  controlling_ = firstOf(mine, highest);
+  controlling_ = ranks_.first(highest).value_or(ElementRef());
 }
 
 void RankMonitor::present(MonitorEvent event) {
@@ -229,9 +218,10 @@ const MonitorReport& RankMonitor::observe(std::int64_t step, double time, NodeVe
       if (both) setBracket();
     }
     if (-told[inverted] <= 0) {
-      const bool mine = certificate_.statistics().leastDeterminant == -told[inverted];
-      const ElementRef e = firstOf(mine, certificate_.statistics().leastDeterminantElement);
-      present({.kind = EventKind::inverted, .value = -told[inverted], .element = e});
+      std::optional<ElementRef> least;
+      if (certificate_.statistics().leastDeterminant == -told[inverted])
+        least = part_.globalElement(certificate_.statistics().leastDeterminantElement);
+      present({.kind = EventKind::inverted, .value = -told[inverted], .element = ranks_.first(least)});
     } else {
       tracker_.absent(EventKind::inverted, step);
     }

@@ -106,7 +106,6 @@ class RankMonitor final : private RestOfBody {
   void setBracket();
   /// The bracket with that safe side, s.
   CriticalStep bracketOf(double safe) const;
-  ElementRef firstOf(bool mine, ElementRef local);
   void present(MonitorEvent event);
 
   Ranks& ranks_;

@@ -77,4 +77,19 @@ void Ranks::share(void* data, std::size_t bytes, int from) {
               communicator_);
 }
 
+std::string Ranks::shareText(std::string text, int from) {
+  std::size_t length = text.size();
+  share(&length, sizeof length, from);
+  text.resize(length);
+  share(text.data(), length, from);
+  return text;
+}
+
+std::optional<ElementRef> Ranks::first(std::optional<ElementRef> found) {
+  constexpr std::int64_t none = std::numeric_limits<std::int64_t>::max();
+  const std::int64_t code = least(found ? (std::int64_t{found->block} << 32) | found->element : none);
+  if (code == none) return std::nullopt;
+  return ElementRef{code >> 32, code & 0xffffffff};
+}
+
 }  // namespace ringwatch

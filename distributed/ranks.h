@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -7,6 +8,7 @@
 #include <mpi.h>
 
 #include <ringwatch/base/exact_sum.h>
+#include <ringwatch/meshes/mesh.h>
 
 namespace ringwatch {
 
@@ -35,6 +37,11 @@ class Ranks {
   std::int64_t least(std::int64_t number);
   /// A rank's bytes, on all of them.
   void share(void* data, std::size_t bytes, int from);
+  /// A rank's text, on all of them.
+  std::string shareText(std::string text, int from);
+  /// The first of the elements that ranks have found, by block and number; nothing where none has found one. On all of
+  /// them.
+  std::optional<ElementRef> first(std::optional<ElementRef> found);
 
   /// Reductions begun so far: messages that cost a latency of the whole machine.
   std::int64_t reductions() const { return reductions_; }

@@ -99,10 +99,7 @@ void Handler::prepareAs(const Handler& other, const NodeVectors& x) {
 void Handler::handle(ElementFlags chosen, const NodeVectors& x) {
   chosen_ = std::move(chosen);
   elements_ = chosenElements(chosen_);
-  places_.assign(body_.blocks().size(), {});
-  for (const ElementRef e : elements_)
-    places_[e.block].push_back(body_.blocks()[e.block]->layout().batchOfElement[e.element]);
-  for (auto& places : places_) std::sort(places.begin(), places.end());
+  determinants_.emplace(body_, elements_);
   reset();
   if (!elements_.empty()) take(x, h_, chosen_);
 }
@@ -208,22 +205,7 @@ std::optional<Body::LeastDeterminant> Handler::leastHandledDeterminant(const Nod
 }
 
 std::optional<Body::LeastDeterminant> Handler::leastDeterminantOfChosen(const NodeVectors& x) const {
-  std::optional<Body::LeastDeterminant> least;
-  double values[lanes];
-  for (std::size_t b = 0; b < places_.size(); ++b) {
-    const ElementBlock& block = *body_.blocks()[b];
-    std::int32_t batch = -1;
-    for (const std::int32_t place : places_[b]) {
-      if (place / lanes != batch) {
-        batch = place / lanes;
-        block.minimumDeterminantBatch(batch, x.data(), values);
-      }
-      const double value = values[place % lanes];
-      if (!least || !(value >= least->value)) least = {value, {b, block.layout().elements[place]}};
-      if (std::isnan(value)) return least;
-    }
-  }
-  return least;
+  return determinants_ ? determinants_->at(x) : std::nullopt;
 }
 
 void Handler::detach(const ElementFlags& chosen, const Eigen::VectorXd& mass) {

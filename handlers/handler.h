@@ -10,6 +10,7 @@
 #include <ringwatch/base/options.h>
 #include <ringwatch/body/body.h>
 #include <ringwatch/handlers/handled_work.h>
+#include <ringwatch/handlers/least_determinant.h>
 #include <ringwatch/handlers/selection/incremental_selection.h>
 #include <ringwatch/integrators/integrator.h>
 
@@ -207,7 +208,7 @@ class Handler : public Integrator {
   ElementFlags chosen_, candidates_;
   State before_;  // the step that is being taken
   std::vector<ElementRef> elements_;
-  std::vector<std::vector<std::int32_t>> places_;  // of elements_ in the layouts of their blocks, ascending
+  std::optional<LeastDeterminant> determinants_;  // of elements_
   IncrementalSelection selection_;
   SelectionCost selectionCost_;
   std::optional<HandledWork> work_;

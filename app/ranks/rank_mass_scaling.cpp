@@ -50,20 +50,12 @@ RankMassScaling::RankMassScaling(const Scene& scene, Body& whole, double h) {
 
 RankMassScaling::~RankMassScaling() = default;
 
-void RankMassScaling::begin(Ranks& ranks, Halo& halo, const RankBody& part, RankSystem& system, Integrator& integrator,
-                            bool keepsWhole) {
-  ranks_ = &ranks;
-  halo_ = &halo;
-  part_ = &part;
-  integrator_ = &integrator;
-  system_ = std::make_unique<PartSystem>(halo, system);
-  for (std::size_t b = 0; b < part.body().blocks().size(); ++b)
-    for (std::int32_t e = 0; e < part.body().blocks()[b]->elementCount(); ++e) {
-      const ElementRef inWhole = part.globalElement({b, e});
-      if (chosen_[inWhole.block][inWhole.element]) handled_.push_back({b, e});
-    }
+void RankMassScaling::begin(const Place& place) {
+  place_.emplace(place);
+  system_ = std::make_unique<PartSystem>(place.halo, place.system);
+  determinants_.emplace(place.part.body(), elementsOfPart(place.part, chosen_));
   chosen_.clear();
-  if (!keepsWhole) handler_.reset();
+  if (!place.keepsWhole) handler_.reset();
 }
 
 void RankMassScaling::choose(RankMonitor& monitor, NodeVectorsView x, double h) {
@@ -73,30 +65,25 @@ void RankMassScaling::choose(RankMonitor& monitor, NodeVectorsView x, double h) 
   handling_.evaluations += bound.evaluations;
   handling_.certified = division_.proven();
   monitor.setParts(division_.parts());
-  integrator_->reset();
+  place_->integrator.reset();
 }
 
-void RankMassScaling::step(State& state, double h) {
-  division_.take(*integrator_, *system_, state, h, [this](const NodeVectors& x) { return endsWithoutEnergy(x); });
+StepStatus RankMassScaling::step(State& state, double h) {
+  division_.take(place_->integrator, *system_, state, h, [this](const NodeVectors& x) { return endsWithoutEnergy(x); });
   system_->exchange(state);
+  return {};
 }
 
 /// Whether a handled element of a law without energy there ends at det F <= 0, on any rank.
 bool RankMassScaling::endsWithoutEnergy(const NodeVectors& x) {
   if (allHaveEnergy_) return false;
-  const NodeVectors& at = system_->withGhosts(x);
-  double found = 0, determinants[lanes];
-  for (const ElementRef e : handled_) {
-    const ElementBlock& block = *part_->body().blocks()[e.block];
-    const std::int32_t place = block.layout().batchOfElement[e.element];
-    block.minimumDeterminantBatch(place / lanes, at.data(), determinants);
-    if (!(determinants[place % lanes] > 0)) found = 1;
-  }
-  ranks_->largest({&found, 1});
+  const auto least = determinants_->at(system_->withGhosts(x));
+  double found = least && !(least->value > 0) ? 1 : 0;
+  place_->ranks.largest({&found, 1});
   return found > 0;
 }
 
-Handling RankMassScaling::handling() const {
+Handling RankMassScaling::handling() {
   Handling result = handling_;
   if (handler_) result.figures = static_cast<const MassScaling&>(*handler_).figuresWith(division_);
   return result;

@@ -8,6 +8,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -19,7 +20,7 @@
 #include <ringwatch/app/command/provenance.h>
 #include <ringwatch/app/output/report.h>
 #include <ringwatch/app/ranks/rank_frames.h>
-#include <ringwatch/app/ranks/rank_mass_scaling.h>
+#include <ringwatch/app/ranks/rank_handler.h>
 #include <ringwatch/app/ranks/rank_scene.h>
 #include <ringwatch/app/ranks/rank_threads.h>
 #include <ringwatch/app/ranks/together.h>
@@ -98,6 +99,8 @@ class RankRun {
 
  private:
   bool first() const { return ranks_.rank() == 0; }
+  /// What the monitor sees of the part: all of it, or the explicit elements.
+  const RankBody& watched() const { return explicitPart_ ? *explicitPart_ : *part_; }
 
   /// Others wait for this rank, so that it ends all.
   [[noreturn]] void endAll(const char* fault) const {
@@ -142,12 +145,16 @@ class RankRun {
       all = sceneInitialState(scene_, BodySystem(*whole_, scene_.damping));
       if (saved) all = saved->state;
       allLoads.emplace(scene_, *whole_);
-      if (!scene_.handler.empty()) scaling_ = std::make_unique<RankMassScaling>(scene_, *whole_, *scene_.step);
+      if (!scene_.handler.empty()) handler_ = makeRankHandler(scene_, *whole_, *scene_.step);
     });
-    const Partition partition = cutTogether(ranks_, whole_->mesh());
+    Partition partition = cutTogether(ranks_, whole_->mesh());
     together(ranks_, [&] {
-      part_ = std::make_unique<RankBody>(*whole_, partition, ranks_.rank(),
-                                         threadsOfRank(ranks_, request_.threads, whole_->mesh()));
+      const int threads = threadsOfRank(ranks_, request_.threads, whole_->mesh());
+      if (handler_) {
+        handler_->adapt(partition);
+        explicitPart_ = handler_->explicitPart(partition, ranks_.rank(), threads);
+      }
+      part_ = std::make_unique<RankBody>(*whole_, partition, ranks_.rank(), threads);
       loads_.emplace(*allLoads, part_->body(), part_->globalNodes());
       state_.time = all.time;
       state_.x.resize(3, part_->body().nodeCount());
@@ -157,12 +164,12 @@ class RankRun {
         state_.v.col(i) = all.v.col(part_->globalNode(i));
       }
       integrator_ = integratorCatalog().make(scene_.method);
-      halo_ = std::make_unique<Halo>(ranks_, *part_);
+      halo_ = std::make_unique<Halo>(ranks_, watched());
       system_ = std::make_unique<RankSystem>(*part_, scene_.damping);
       stepper_ = std::make_unique<RankStepper>(*halo_, *system_, *integrator_);
       steps_.emplace(scene_);
       recorder_.emplace(scene_, result_);
-      if (scaling_) scaling_->begin(ranks_, *halo_, *part_, *system_, *integrator_, first());
+      if (handler_) handler_->begin({ranks_, *halo_, *part_, watched(), *system_, *integrator_, first()});
       if (first())
         recorder_->follow(whole_->mesh());
       else
@@ -192,7 +199,7 @@ class RankRun {
   }
 
   void beginWatch() {
-    monitor_ = std::make_unique<RankMonitor>(ranks_, *halo_, *part_,
+    monitor_ = std::make_unique<RankMonitor>(ranks_, *halo_, watched(),
                                              RankMonitorOptions{.limit = rule_,
                                                                 .mode = scene_.mode,
                                                                 .every = static_cast<int>(std::min<std::int64_t>(
@@ -219,8 +226,8 @@ class RankRun {
         return end(ExitReason::end, "end time reached");
       const bool rowDue = k % scene_.historyEvery == 0;
       MonitorReport report = observe(k, rowDue);
-      if (scaling_ && scene_.onViolation == OnViolation::handle && monitor_->stateIsFinite() &&
-          scaling_->wantsChoice(report))
+      if (handler_ && scene_.onViolation == OnViolation::handle && monitor_->stateIsFinite() &&
+          handler_->wantsChoice(report))
         report = chooseAgain(k, rowDue);
       if (monitor_->stateIsFinite() && checkpointDue()) {
         writeCheckpointAndGoOn();
@@ -242,7 +249,7 @@ class RankRun {
       if (report.verdict == Verdict::violated &&
           (scene_.onViolation == OnViolation::stop || scene_.onViolation == OnViolation::handle))
         return end(ExitReason::violated, fmt::format("stopped before step {}, which is violated", k));
-      takeStep(report);
+      if (!takeStep(report)) return;
       showProgress(report);
     }
   }
@@ -251,7 +258,7 @@ class RankRun {
   MonitorReport chooseAgain(std::int64_t k, bool rowDue) {
     {
       const Stopwatch measured(result_.monitorTime);
-      scaling_->choose(*monitor_, state_.x, steps_->step());
+      handler_->choose(*monitor_, state_.x, steps_->step());
     }
     const std::string events = eventsBefore_;
     const int wish = wish_;
@@ -264,8 +271,9 @@ class RankRun {
 
   MonitorReport observe(std::int64_t k, bool rowDue) {
     const Stopwatch measured(result_.monitorTime);
-    const bool stepperNeedsForce = stepper_->needsForce(state_);
-    evaluation_.wantsForce = stepperNeedsForce || (energiesNeeded(true) && moving_);
+    // A handler of elements that the monitor does not see evaluates its own.
+    const bool stepperNeedsForce = !explicitPart_ && stepper_->needsForce(state_);
+    evaluation_.wantsForce = stepperNeedsForce || (energiesNeeded(true) && moving_ && !explicitPart_);
     wish_ = request_.interrupt->load() ? endWish : request_.checkpoint->exchange(false) ? checkpointWish : nothing;
     eventsBefore_ = savedEvents();
     evaluation_.wallTime = 0;
@@ -281,6 +289,8 @@ class RankRun {
     recordEnergies(rowDue);
     if (energies_)
       report.newEvents = monitor_->observeEnergies(runaway_->forgiven(*energies_, scene_.energyTolerance)).newEvents;
+    if (handler_ && report.step % scene_.every == 0 && monitor_->stateIsFinite())
+      if (const auto event = handler_->watch(report, state_.x)) report.newEvents.push_back(*event);
     return report;
   }
 
@@ -289,7 +299,8 @@ class RankRun {
     const bool wanted = rowDue || balanceBegins_;
     balanceBegins_ = false;
     if (!energiesNeeded(wanted)) return;
-    balance_->record(state_.x, evaluation_.internalForce);
+    if (explicitPart_ && moving_) part_->body().internalForce(state_.x, allForce_, workspace_);
+    balance_->record(state_.x, explicitPart_ ? allForce_ : evaluation_.internalForce);
     if (damped()) {
       system_->ofBody().dampingForce(state_.x, state_.v, dampingForce_);
       balance_->recordDamping(state_.time, state_.v, dampingForce_);
@@ -303,6 +314,13 @@ class RankRun {
     now.externalWork += before_.externalWork;
     now.dissipated += before_.dissipated;
     now.balanceError += before_.balanceError;
+    if (handler_) {
+      // As RunEnergies::setDissipatedByHandler: what is gone does not come back.
+      const double energy = handler_->dissipated();
+      if (!(energy <= byHandler_)) byHandler_ = energy;
+      now.dissipated += byHandler_;
+      now.balanceError += byHandler_;
+    }
     return now;
   }
 
@@ -360,7 +378,7 @@ class RankRun {
       row.bracket = report.bracket;
       row.energies = energies_;
       row.elementsRefreshed = static_cast<std::int64_t>(refreshed.value());
-      row.handledElements = scaling_ ? scaling_->handledElements() : 0;
+      row.handledElements = handler_ ? handler_->handledElements() : 0;
       row.verdict = report.verdict;
       output_->writeRow(row);
     }
@@ -387,16 +405,19 @@ class RankRun {
     return frame;
   }
 
-  void takeStep(const MonitorReport& report) {
+  bool takeStep(const MonitorReport& report) {
     const Stopwatch force(result_.forceTime);
     if (loads_->any()) loads_->setVelocities(state_, steps_->step(), toBalance());
-    if (scaling_ && !scaling_->stepsAsBase())
-      scaling_->step(state_, steps_->step());
-    else
-      stepper_->beginStep(state_, steps_->step());
+    const StepStatus status = handler_ && !handler_->stepsAsBase() ? handler_->step(state_, steps_->step())
+                                                                   : stepper_->beginStep(state_, steps_->step());
+    if (!status.done) {
+      end(ExitReason::stepFailed, fmt::format("step {} failed: {}", report.step, status.reason));
+      return false;
+    }
     recorder_->countSteps(1, steps_->step());
     recorder_->countVerdict(report, 1, freshReports_ <= 1);
     lastVerdict_ = report.verdict;
+    return true;
   }
 
   void showProgress(const MonitorReport& report) {
@@ -530,12 +551,17 @@ class RankRun {
     report.verdict = lastVerdict_;
     report.certified = std::numeric_limits<double>::quiet_NaN();
     const FrameState last = frameOf(report);
-    for (RunEvent& told : result_.events)
-      for (const MonitorEvent& known : monitor_->events())
-        if (known.kind == told.event.kind && known.step == told.event.step) told.event.end = known.end;
+    const auto close = [&](std::span<const MonitorEvent> events) {
+      for (RunEvent& told : result_.events)
+        for (const MonitorEvent& known : events)
+          if (known.handled == told.event.handled && known.kind == told.event.kind && known.step == told.event.step)
+            told.event.end = known.end;
+    };
+    close(monitor_->events());
+    if (handler_) close(handler_->events());
     if (first()) recorder_->noteWhatIsNotCertified(whole_->mesh());
     result_.runaway = runaway_->moment();
-    if (scaling_) result_.handler = scaling_->handling();
+    if (handler_) result_.handler = handler_->handling();
     countTraffic();
     const Stopwatch measured(result_.outputTime);
     output_->finish(result_, scene_.frameInterval ? stateOfFrame() : State(), last);
@@ -584,12 +610,13 @@ class RankRun {
   StepRule rule_ = 0.0;
   RunResult result_;
   std::unique_ptr<RankBody> part_;
+  std::unique_ptr<RankBody> explicitPart_;  // of the same nodes; nullptr where it is all of the part
   std::optional<TimedLoads> loads_;
   std::unique_ptr<Integrator> integrator_;
   std::unique_ptr<Halo> halo_;
   std::unique_ptr<RankSystem> system_;
   std::unique_ptr<RankStepper> stepper_;
-  std::unique_ptr<RankMassScaling> scaling_;  // nullptr without a handler
+  std::unique_ptr<RankHandler> handler_;  // nullptr without one
   std::unique_ptr<RankMonitor> monitor_;
   std::unique_ptr<RankEnergyBalance> balance_;
   std::optional<StepPolicy> steps_;
@@ -599,8 +626,10 @@ class RankRun {
   std::optional<RunOutput> output_;
   State state_;
   StepEvaluation evaluation_;
-  NodeVectors dampingForce_;
-  Energies before_;  // what balances before have come to
+  NodeVectors dampingForce_, allForce_;
+  Body::Workspace workspace_;
+  Energies before_;       // what balances before have come to
+  double byHandler_ = 0;  // J, dissipated
   bool balanceBegins_ = true;
   std::string eventsBefore_;          // before the last observation
   std::optional<Energies> energies_;  // of the state, where a row is due

@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 
 #include <ringwatch/app/command/integrator_catalog.h>
+#include <ringwatch/app/ranks/rank_handler.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/body/element_stress.h>
-#include <ringwatch/handlers/mass_scaling/mass_scaling.h>
 
 namespace ringwatch {
 
@@ -25,12 +25,7 @@ void requireDistributable(const Scene& scene) {
   const IntegratorInfo& info = integrator->info();
   refuse(!integrator->beginsWithAcceleration() || info.forceEvaluations != 1 || info.partitioned,
          key("integrator.method"), fmt::format("\"{}\" is", scene.method));
-  if (!scene.handler.empty() && scene.handler != MassScaling::description.name)
-    throw InputError(fmt::format(
-        "{}: \"{}\" is not distributed over ranks: it moves an element together with nodes that other ranks "
-        "may own; take \"{}\", or run the scene with one process, without mpirun",
-        key("handler.method"), scene.handler, MassScaling::description.name));
-  refuse(!scene.handler.empty() && !scene.step, key("integrator.step"), "\"auto\" with a handler is");
+  requireDistributableHandler(scene);
   refuse(scene.device == RunDevice::cuda, scene.deviceOrigin, "runs on a GPU are");
   if (scene.hasDiscreteForces()) refuse(true, scene.discreteOrigin(), "springs, dampers of nodes and contact are");
   if (!scene.rigids.empty()) refuse(true, scene.rigids.front().origin, "rigid bodies are");

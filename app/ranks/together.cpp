@@ -13,12 +13,8 @@ void requireNoFault(Ranks& ranks, const RankFault& own) {
   if (first == ranks.size()) return;
   const bool all = ranks.least(failed ? 1 : 0) == 1;
   auto status = static_cast<int>(own.status);
-  std::string text = all ? own.text : fmt::format("{}: {}", ranks.name(), own.text);
-  std::size_t length = text.size();
   ranks.share(&status, sizeof status, first);
-  ranks.share(&length, sizeof length, first);
-  text.resize(length);
-  ranks.share(text.data(), length, first);
+  const std::string text = ranks.shareText(all ? own.text : fmt::format("{}: {}", ranks.name(), own.text), first);
   if (ranks.rank() != 0) throw OtherRankFailed{static_cast<ExitStatus>(status)};
   if (static_cast<ExitStatus>(status) == ExitStatus::unstable) throw NumericalError(text);
   throw InputError(text);

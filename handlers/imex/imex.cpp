@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include <ringwatch/base/error.h>
-#include <ringwatch/base/parallel.h>
 #include <ringwatch/handlers/angular_momentum.h>
+#include <ringwatch/handlers/imex/solve_clusters.h>
 #include <ringwatch/materials/linear_elastic.h>
 
 namespace ringwatch {
@@ -75,20 +75,18 @@ class Imex::Corrected final : public SecondOrderSystem {
       else
         owner_.work().beginAndAdd(x, a);
     }
+    const auto solveAll = [&](auto& clusters, const auto& solve) {
+      const auto failed =
+          solveClusters(owner_.body_, clusters, owner_.freeOfTorque_, x, v, h_, a, owner_.reasons_, solve);
+      if (!failed || !fault.empty()) return;
+      const auto& elements = clusters[failed->cluster].elements();
+      fault = failed->text(elements.size(), elements.front());
+    };
     if (owner_.nonlinear_)
-      forEachCluster(owner_.newtonClusters_, x, v, a, [&](NewtonCluster& cluster) -> std::string_view {
-        switch (cluster.solve(x, a, v)) {
-          case NewtonCluster::Outcome::solved:
-            return {};
-          case NewtonCluster::Outcome::noEnergy:
-            return "the implicit elements have no finite energy";
-          case NewtonCluster::Outcome::notConverged:
-            break;
-        }
-        return "Newton's method did not converge";
-      });
+      solveAll(owner_.newtonClusters_, [&](std::size_t k) { return owner_.newtonClusters_[k].solveOrTell(x, a, v); });
     else
-      forEachCluster(owner_.clusters_, x, v, a, [&](ImplicitCluster& cluster) -> std::string_view {
+      solveAll(owner_.clusters_, [&](std::size_t k) -> std::string_view {
+        ImplicitCluster& cluster = owner_.clusters_[k];
         if (!cluster.follow(x)) return "the implicit matrix is not positive definite or not finite";
         return cluster.solve(a, v, c_) ? "" : "conjugate gradients did not converge";
       });
@@ -100,39 +98,6 @@ class Imex::Corrected final : public SecondOrderSystem {
   std::string fault;
 
  private:
-  /// Has all clusters solved, large ones by all threads, the others side by side; solve tells what went wrong, "" for
-  /// nothing.
-  template <class Cluster, class Solve>
-  void forEachCluster(std::vector<Cluster>& clusters, const NodeVectors& x, const NodeVectors& v, NodeVectors& a,
-                      const Solve& solve) {
-    auto& failed = owner_.failed_;
-    failed.assign(clusters.size(), {});
-    const auto visit = [&](std::int64_t k) {
-      const auto& nodes = clusters[k].nodes();
-      if (!owner_.freeOfTorque_[k]) {
-        failed[k] = solve(clusters[k]);
-        return;
-      }
-      const NodeVectors before = a(Eigen::all, nodes);
-      failed[k] = solve(clusters[k]);
-      if (failed[k].empty()) keepAngularMomentum(owner_.body_, nodes, x, v, h_, before, a);
-    };
-    for (std::size_t k = 0; k < clusters.size(); ++k)
-      if (takesAllThreads(clusters[k])) visit(static_cast<std::int64_t>(k));
-    parallelFor(0, clusters.size(), owner_.body_.threads(), [&](std::int64_t k) {
-      if (!takesAllThreads(clusters[k])) visit(k);
-    });
-    for (std::size_t k = 0; k < clusters.size() && fault.empty(); ++k)
-      if (!failed[k].empty()) {
-        const ElementRef first = clusters[k].elements().front();
-        fault = joinText(failed[k], " in the cluster of ", clusters[k].elements().size(), " elements at element ",
-                         first.block, ":", first.element);
-      }
-  }
-
-  static bool takesAllThreads(const NewtonCluster& cluster) { return cluster.threads() != 1; }
-  static bool takesAllThreads(const ImplicitCluster&) { return false; }
-
   Imex& owner_;
   SecondOrderSystem& inner_;
   double h_, c_;
@@ -154,8 +119,8 @@ Imex::Imex(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options)
 void Imex::takeOwn(const NodeVectors& x, double h, const ElementFlags& chosen) {
   const ImplicitScheme scheme = schemeOf(h);
   for (const NewtonCluster& cluster : newtonClusters_) {
-    stallsBefore_ += cluster.stalls();
-    eulerStepsBefore_ += cluster.eulerSteps();
+    countsBefore_.stalls += cluster.stalls();
+    countsBefore_.eulerSteps += cluster.eulerSteps();
   }
   clusters_.clear();
   newtonClusters_.clear();
@@ -170,6 +135,11 @@ void Imex::takeOwn(const NodeVectors& x, double h, const ElementFlags& chosen) {
       add(clusters_.emplace_back(body_, std::move(elements), scheme.w(), x, cluster_));
   countWork(h);
   detach(chosen);
+}
+
+std::optional<NewtonSettings> Imex::newtonSettings(double h) const {
+  if (!nonlinear_) return std::nullopt;
+  return NewtonSettings{schemeOf(h), cluster_.tolerance, cluster_.iterations, keepsMomentum_};
 }
 
 StepStatus Imex::ownStep(SecondOrderSystem& system, State& state, double h) {
@@ -189,33 +159,22 @@ std::vector<HandlerFigure> Imex::figures() const {
 }
 
 std::vector<HandlerFigure> Imex::figuresOfClusters() const {
-  const auto largestOf = [](const auto& clusters) {
-    std::size_t largest = 0;
-    for (const auto& cluster : clusters) largest = std::max(largest, cluster.nodes().size());
-    return static_cast<double>(largest);
-  };
-  std::int64_t rounds = 0, iterations = 0;
+  if (nonlinear_) {
+    NewtonCounts counts = countsBefore_;
+    for (const NewtonCluster& cluster : newtonClusters_) counts.add(cluster);
+    return counts.figures();
+  }
+  std::size_t largest = 0;
+  std::int64_t factorisations = 0, iterations = 0;
   for (const ImplicitCluster& cluster : clusters_) {
-    rounds += cluster.factorisations();
+    largest = std::max(largest, cluster.nodes().size());
+    factorisations += cluster.factorisations();
     iterations += cluster.iterations();
   }
-  std::int64_t stalls = stallsBefore_, eulerSteps = eulerStepsBefore_;
-  for (const NewtonCluster& cluster : newtonClusters_) {
-    rounds += cluster.iterations();
-    iterations += cluster.products();
-    stalls += cluster.stalls();
-    eulerSteps += cluster.eulerSteps();
-  }
-  std::vector<HandlerFigure> result{
-      {"clusters", static_cast<double>(clusters_.size() + newtonClusters_.size())},
-      {"largest_cluster_nodes", std::max(largestOf(clusters_), largestOf(newtonClusters_))},
-      {nonlinear_ ? "newton_iterations" : "factorisations", static_cast<double>(rounds), true},
-      {"iterations", static_cast<double>(iterations), true}};
-  if (nonlinear_) {
-    result.push_back({"stalled_searches", static_cast<double>(stalls)});
-    result.push_back({"implicit_euler_steps", static_cast<double>(eulerSteps)});
-  }
-  return result;
+  return {{"clusters", static_cast<double>(clusters_.size())},
+          {"largest_cluster_nodes", static_cast<double>(largest)},
+          {"factorisations", static_cast<double>(factorisations), true},
+          {"iterations", static_cast<double>(iterations), true}};
 }
 
 }  // namespace ringwatch

@@ -60,6 +60,8 @@ class Imex final : public EnergyLimitedHandler {
   Imex(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options);
   std::vector<HandlerFigure> figures() const override;
   const std::vector<ImplicitCluster>& clusters() const { return clusters_; }
+  /// How the equations of the handled elements are solved in steps of h (s); none where they are linear.
+  std::optional<NewtonSettings> newtonSettings(double h) const;
 
  protected:
   void takeOwn(const NodeVectors& x, double h, const ElementFlags& chosen) override;
@@ -84,9 +86,9 @@ class Imex final : public EnergyLimitedHandler {
   ClusterOptions cluster_;
   std::vector<ImplicitCluster> clusters_;  // one of the two is empty
   std::vector<NewtonCluster> newtonClusters_;
-  std::vector<bool> freeOfTorque_;                        // by cluster: angular momentum is kept
-  std::int64_t stallsBefore_ = 0, eulerStepsBefore_ = 0;  // of clusters of the choices before
-  std::vector<std::string_view> failed_;                  // by cluster
+  std::vector<bool> freeOfTorque_;         // by cluster: angular momentum is kept
+  NewtonCounts countsBefore_;              // of the choices before: stalls and steps of implicit Euler
+  std::vector<std::string_view> reasons_;  // scratch
 };
 
 }  // namespace ringwatch

@@ -442,4 +442,34 @@ NewtonCluster::Outcome NewtonCluster::solve(NodeVectorsView x, NodeVectors& a, c
   return Outcome::solved;
 }
 
+std::string_view NewtonCluster::solveOrTell(NodeVectorsView x, NodeVectors& a, const NodeVectors& v) {
+  switch (solve(x, a, v)) {
+    case Outcome::solved:
+      return {};
+    case Outcome::noEnergy:
+      return "the implicit elements have no finite energy";
+    case Outcome::notConverged:
+      break;
+  }
+  return "Newton's method did not converge";
+}
+
+void NewtonCounts::add(const NewtonCluster& cluster) {
+  ++clusters;
+  largestNodes = std::max(largestNodes, static_cast<std::int64_t>(cluster.nodes().size()));
+  iterations += cluster.iterations();
+  products += cluster.products();
+  stalls += cluster.stalls();
+  eulerSteps += cluster.eulerSteps();
+}
+
+std::vector<HandlerFigure> NewtonCounts::figures() const {
+  return {{"clusters", static_cast<double>(clusters)},
+          {"largest_cluster_nodes", static_cast<double>(largestNodes)},
+          {"newton_iterations", static_cast<double>(iterations), true},
+          {"iterations", static_cast<double>(products), true},
+          {"stalled_searches", static_cast<double>(stalls)},
+          {"implicit_euler_steps", static_cast<double>(eulerSteps)}};
+}
+
 }  // namespace ringwatch

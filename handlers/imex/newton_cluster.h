@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include <ringwatch/body/body.h>
+#include <ringwatch/handlers/handler.h>
 #include <ringwatch/handlers/imex/cluster_pcg.h>
 
 namespace ringwatch {
@@ -21,6 +22,15 @@ struct ImplicitScheme {
   double beta() const { return 0.25 * (1 + dissipation) * (1 + dissipation); }
   double w() const { return beta() * h * h + 0.5 * h * stiffnessDamping; }  // s²
   double c() const { return dissipation * h / w(); }                        // 1/s
+};
+
+/// How the nonlinear equations of handled elements are solved: as NewtonCluster takes it, and whether clusters that
+/// nothing holds keep their angular momentum.
+struct NewtonSettings {
+  ImplicitScheme scheme;
+  double tolerance;
+  int mostProducts;
+  bool keepsMomentum;
 };
 
 /// Elements that share nodes, with the nonlinear equation of the implicit-explicit step on their nodes. With their
@@ -55,6 +65,8 @@ class NewtonCluster {
   /// the search could begin, or it has taken its steps without coming to its tolerance. It also ends where no step
   /// along a direction of descent lowers Φ: at a minimum in a kink, or by rounding.
   Outcome solve(NodeVectorsView x, NodeVectors& a, const NodeVectors& v);
+  /// The same; tells in words what went wrong, "" for nothing.
+  std::string_view solveOrTell(NodeVectorsView x, NodeVectors& a, const NodeVectors& v);
 
   /// Steps of the search, products with the tangent, kept or not, searches that ended where Φ cannot be lowered, not at
   /// their tolerance, and steps that implicit Euler took.
@@ -150,6 +162,15 @@ class NewtonCluster {
   int productsOfFirst_ = 0;    // of the first system solved with a new preconditioner
   bool stale_ = true;
   std::int64_t iterations_ = 0, products_ = 0, stalls_ = 0, eulerSteps_ = 0;
+};
+
+/// What clusters have come to, for the figures of a handler.
+struct NewtonCounts {
+  std::int64_t clusters = 0, largestNodes = 0;
+  std::int64_t iterations = 0, products = 0, stalls = 0, eulerSteps = 0;  // as NewtonCluster counts them
+
+  void add(const NewtonCluster& cluster);
+  std::vector<HandlerFigure> figures() const;
 };
 
 }  // namespace ringwatch

@@ -7,6 +7,7 @@
 #include <map>
 #include <sstream>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -96,10 +97,12 @@ class RanksProgram : public test::Program {
     return "env OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 " RINGWATCH_MPIRUN " " +
            std::to_string(ranks) + " ";
   }
+  /// A rank without mpirun, which takes seconds to start some.
+  static constexpr int withoutLauncher = 0;
   /// As users call it; one rank is asked for, as one process is no run on ranks.
   Outcome onRanks(int ranks, const std::string& arguments, const std::string& command = "run") {
-    return shell(mpirun(ranks) + "'" RINGWATCH_PROGRAM "' " + command + " " + arguments +
-                 (ranks == 1 ? " --ranks yes" : ""));
+    return shell((ranks == withoutLauncher ? "" : mpirun(ranks)) + "'" RINGWATCH_PROGRAM "' " + command + " " +
+                 arguments + (ranks <= 1 ? " --ranks yes" : ""));
   }
   /// What the program has said, without what mpirun says of exit statuses.
   static std::vector<std::string> linesOf(const std::string& text) {
@@ -250,6 +253,64 @@ TEST_F(RanksProgram, ScalesMass) {
   }
 }
 
+/// imex takes the elements that it takes on one process, and each of its clusters is solved by one rank: positions are
+/// those of one process, also where angular momentum is kept, and all ranks end where one cluster cannot be solved.
+TEST_F(RanksProgram, SolvesHandledElements) {
+  const std::string scene = replaced(
+      replaced(replaced(withoutTables(rich), "[damping]\nmass = 2\n", ""), "cells = [10, 2, 2]", "cells = [10, 3, 3]"),
+      "jitter = 0.1", "jitter = 0.3");
+  const auto with = [&](const std::string& element, const std::string& method) {
+    return replaced(replaced(scene, "ELEMENT", element), "METHOD", method);
+  };
+  folder_.write("tets.toml", with("tet4", "symplectic-euler"));
+  folder_.write("hexes.toml", with("hex8", "verlet"));
+  std::string spinning = with("tet4", "symplectic-euler");
+  spinning.erase(spinning.find("[[fix]]"), spinning.find("[output]") - spinning.find("[[fix]]"));
+  folder_.write("spinning.toml", spinning + "[[initial]]\nwhere = \"all\"\nangular_velocity = [0, 0, 20]\n");
+  const std::string imex = " --set handler.method=imex --set monitor.on_violation=warn --set output.every=0.005 ";
+  for (const auto& [name, step, clusters, verdict] : {std::tuple{"tets", "4e-4", 2, "certified"},
+                                                      {"hexes", "5e-4", 5, "certified"},
+                                                      {"spinning", "4e-4", 2, "not-certified"}}) {
+    SCOPED_TRACE(name);
+    const std::string arguments = std::string(name) + ".toml" + imex + "--set integrator.step=" + step;
+    ASSERT_EQ(call("run " + arguments + " --out alone").status, 0);
+    const Json alone = json("alone/summary.json");
+    EXPECT_GE(alone["handler"]["clusters"], clusters);
+    Json first;
+    for (const int ranks : {1, 2, 4}) {
+      SCOPED_TRACE(ranks);
+      const std::string out = "on" + std::to_string(ranks);
+      const Outcome outcome =
+          onRanks(ranks, arguments + " --out " + out + " --threads " + std::to_string(1 + ranks % 2));
+      ASSERT_EQ(outcome.status, 0) << outcome.err << outcome.out;
+      if (ranks == 1) first = summaryOf("on1");
+      EXPECT_EQ(summaryOf(out), first);
+      EXPECT_EQ(folder_.read(out + "/history.csv"), folder_.read("on1/history.csv"));
+    }
+    EXPECT_EQ(first["handler"], alone["handler"]);
+    EXPECT_EQ(first["verdict"], verdict);
+    for (const char* field : {"displacement", "velocity"})
+      EXPECT_TRUE(pointField("on4/frames/frame_000004", field) == pointField("alone/frames/frame_000004.vtu", field))
+          << field;
+    const Table one = table("alone/history.csv"), four = table("on4/history.csv");
+    ASSERT_EQ(one.rows.size(), four.rows.size());
+    double largest = 0;
+    for (std::size_t row = 0; row < one.rows.size(); ++row) largest = std::max(largest, one.number(row, "kinetic_J"));
+    for (std::size_t row = 0; row < one.rows.size(); ++row)
+      for (const char* column : {"kinetic_J", "strain_J", "external_work_J", "dissipated_J", "balance_error_J"})
+        EXPECT_NEAR(one.number(row, column), four.number(row, column), 5e-14 * largest) << column << ", row " << row;
+  }
+  // Crushed, until elements have no energy.
+  folder_.write("crushed.toml", replaced(with("tet4", "symplectic-euler"), "[0.2, 0, 0]", "[-8, 0, 0]"));
+  const std::string arguments = "crushed.toml" + imex + "--set integrator.step=4e-4";
+  ASSERT_EQ(call("run " + arguments + " --out alone").status, 1);
+  for (const int ranks : {1, 3}) EXPECT_EQ(onRanks(ranks, arguments + " --out on" + std::to_string(ranks)).status, 1);
+  const Json alone = json("alone/summary.json"), three = summaryOf("on3");
+  EXPECT_EQ(three, summaryOf("on1"));
+  EXPECT_EQ(three["exit_reason"], "step-failed");
+  for (const char* key : {"exit_reason", "exit_text", "steps"}) EXPECT_EQ(three[key], alone[key]);
+}
+
 /// The bracket of a mesh and the element that holds it down are those of one rank, and hold the critical step.
 TEST_F(RanksProgram, Inspects) {
   BarOptions options;
@@ -331,24 +392,34 @@ TEST_F(RanksProgram, TellsOfAnUnstableStep) {
 TEST_F(RanksProgram, RefusesByOneLine) {
   const std::string plain = withoutTables(richScene());
   folder_.write("scene.toml", replaced(plain, "[damping]\nmass = 2\n", ""));
-  for (const auto& [setting, what] : {std::pair{"integrator.method=rk4", "\"rk4\" is not distributed over ranks"},
-                                      {"damping.stiffness=1e-6", "stiffness-proportional damping"},
-                                      {"handler.method=imex", "\"imex\" is not distributed over ranks: it moves"},
-                                      {"monitor.metric=reduced-1-ring", "metrics are not distributed"},
-                                      {"monitor.mode=metric", "is not distributed over ranks"},
-                                      {"monitor.certificates=5", "files of proofs"},
-                                      {"monitor.budget=0.5", "a budget of the monitor"},
-                                      {"output.exact_times=true", "frames between steps"},
-                                      {"output.reactions=true", "reactions are not"},
-                                      {"output.fields=[\"verdict\"]", "\"verdict\" is not"},
-                                      {"integrator.step=-1", "integrator.step"}})
-    expectRefusedByOne(2, "scene.toml --set '" + std::string(setting) + "'",
+  expectRefusedByOne(2, "scene.toml --set integrator.method=pefrl", "\"pefrl\" is not distributed over ranks");
+  for (const auto& [setting, what] :
+       {std::pair{"integrator.method=rk4", "\"rk4\" is not distributed over ranks"},
+        {"damping.stiffness=1e-6", "stiffness-proportional damping"},
+        {"handler.method=fe-pbd", "\"fe-pbd\" is not distributed over ranks"},
+        {"handler.method=imex --set integrator.step=auto --set handler.step=2e-4", "\"auto\" with a handler"},
+        {"handler.method=imex --set handler.solver=cg", "handler.solver"},
+        {"handler.method=imex --set damping.mass=1", "[damping]: with \"imex\""},
+        {"handler.method=imex --set handler.on_failure=reduce-step", "handler.on_failure"},
+        {"handler.method=imex --set monitor.on_violation=handle", "choose elements once"},
+        {"handler.method=imex --set integrator.step=0.02", "takes every element"},
+        {"handler.method=imex --set material.0.model=linear --set material.1.model=linear",
+         "handler.solver = \"newton\""},
+        {"monitor.metric=reduced-1-ring", "metrics are not distributed"},
+        {"monitor.mode=metric", "is not distributed over ranks"},
+        {"monitor.certificates=5", "files of proofs"},
+        {"monitor.budget=0.5", "a budget of the monitor"},
+        {"output.exact_times=true", "frames between steps"},
+        {"output.reactions=true", "reactions are not"},
+        {"output.fields=[\"verdict\"]", "\"verdict\" is not"},
+        {"integrator.step=-1", "integrator.step"}})
+    expectRefusedByOne(withoutLauncher, "scene.toml --set '" + replaced(setting, " --set ", "' --set '") + "'",
                        std::string(setting) == "monitor.mode=metric" ? "" : what);
   for (const std::string section :
        {"[[spring]]\nwhere = \"x > 0.05\"\nstiffness = 1\n", "[[rigid]]\nname = \"r\"\nwhere = \"x > 0.08\"\n",
         "[[pressure]]\nwhere = \"z > 0.02 - 1e-6\"\npressure = 1\n", "[erosion]\nstretch = 2\n"}) {
     folder_.write("more.toml", replaced(richScene(), "[[move]]", section + "[[move]]"));
-    const Outcome outcome = onRanks(2, "more.toml --out refused");
+    const Outcome outcome = onRanks(withoutLauncher, "more.toml --out refused");
     EXPECT_EQ(outcome.status, 2) << section;
     EXPECT_EQ(linesOf(outcome.err).size(), 1u) << outcome.err;
     EXPECT_FALSE(exists("refused"));
