@@ -524,7 +524,9 @@ double DeviceBody<R>::kineticEnergy() {
 template <class R>
 void DeviceBody<R>::step(double h, std::int64_t count) {
   impl_->setStep(h);
-  impl_->repeat(count, impl_->stepGraphs, [&] { impl_->enqueueStep(); });
+  impl_->repeat(count, impl_->stepGraphs, [&](std::int64_t steps) {
+    for (; steps > 0; --steps) impl_->enqueueStep();
+  });
 }
 template <class R>
 std::int64_t DeviceBody<R>::steps() const {

@@ -37,17 +37,21 @@ struct DevicePart {
   void takePositions(NodeVectors& to) const;
   void takeVelocities(NodeVectors& to) const;
   void setStep(double h);
-  /// Puts `count` repetitions into the stream, as graphs of `bunch` and of one, which are captured at the first call.
+  /// Puts `count` steps into the stream, as graphs of `bunch` and of one, which are captured at the first call:
+  /// enqueue(steps) puts some in.
   template <class Enqueue>
   void repeat(std::int64_t count, std::unique_ptr<DeviceGraph> (&graphs)[2], const Enqueue& enqueue) {
     if (!graphs[0]) {
-      graphs[0] = std::make_unique<DeviceGraph>(stream, enqueue);
-      graphs[1] = std::make_unique<DeviceGraph>(stream, [&] {
-        for (std::int64_t i = 0; i < bunch; ++i) enqueue();
-      });
+      graphs[0] = std::make_unique<DeviceGraph>(stream, [&] { enqueue(1); });
+      graphs[1] = std::make_unique<DeviceGraph>(stream, [&] { enqueue(bunch); });
     }
-    for (; count >= bunch; count -= bunch) graphs[1]->launch(stream);
-    for (; count > 0; --count) graphs[0]->launch(stream);
+    inBunches(count, [&](std::int64_t steps) { graphs[steps == 1 ? 0 : 1]->launch(stream); });
+  }
+  /// Calls take(bunch) as often as that goes, and take(1) for what is left.
+  template <class Take>
+  static void inBunches(std::int64_t count, const Take& take) {
+    for (; count >= bunch; count -= bunch) take(bunch);
+    for (; count > 0; --count) take(1);
   }
 
   static constexpr std::int64_t bunch = 20;
@@ -127,13 +131,10 @@ struct DeviceBody<R>::Impl {
   double sumOfPatches();
   double kineticEnergy();
 
-  /// Puts `count` repetitions into the streams: on one device as graphs, on several one by one.
+  /// Puts `count` steps into the streams, in bunches: on one device as graphs.
   template <class Enqueue>
   void repeat(std::int64_t count, std::unique_ptr<DeviceGraph> (&graphs)[2], const Enqueue& enqueue) {
-    if (parts.size() > 1) {
-      for (; count > 0; --count) enqueue();
-      return;
-    }
+    if (parts.size() > 1) return Part::inBunches(count, enqueue);
     const OnDevice here(parts.front()->device);
     parts.front()->repeat(count, graphs, enqueue);
   }

@@ -6,37 +6,17 @@ namespace {
 constexpr int threads = 128;
 
 template <class R>
-__device__ __forceinline__ void sumOfSlots(const NodeView<R>& nodes, std::int32_t shared, R (&sum)[3]) {
-  sum[0] = sum[1] = sum[2] = R(0);
-  const std::int32_t end = nodes.slotBegin[shared + 1];
-  for (std::int32_t s = nodes.slotBegin[shared]; s < end; ++s) {
-    const Row4<R> row = nodes.slots[nodes.slot[s]];
-    sum[0] += row.x;
-    sum[1] += row.y;
-    sum[2] += row.z;
-  }
-}
-
-template <class R>
 __global__ void __launch_bounds__(threads) sumSlotsKernel(const NodeView<R> nodes, Row4<R>* result) {
   const std::int32_t shared = static_cast<std::int32_t>(blockIdx.x) * threads + static_cast<std::int32_t>(threadIdx.x);
   if (shared >= nodes.count - nodes.interiorCount) return;
   R sum[3];
-  sumOfSlots(nodes, shared, sum);
+  detail::sumOfSlots(nodes, shared, sum);
   result[nodes.interiorCount + shared] = {sum[0], sum[1], sum[2], R(0)};
 }
 
 template <class R>
 __global__ void __launch_bounds__(threads) finishStepKernel(const NodeView<R> nodes) {
-  const std::int32_t shared = static_cast<std::int32_t>(blockIdx.x) * threads + static_cast<std::int32_t>(threadIdx.x);
-  // The patches' kernel is done, so the clock may go on; nothing else reads the count of steps meanwhile.
-  if (shared == 0) ++nodes.clock->step;
-  if (shared >= nodes.count - nodes.interiorCount) return;
-  detail::MovingNode<R> moving;
-  moving.load(nodes, nodes.interiorCount + shared);
-  R sum[3];
-  sumOfSlots(nodes, shared, sum);
-  moving.step(nodes, nodes.interiorCount + shared, static_cast<R>(nodes.clock->h), sum);
+  detail::finishStep(nodes, static_cast<std::int32_t>(blockIdx.x) * threads + static_cast<std::int32_t>(threadIdx.x));
 }
 
 constexpr int sumThreads = 1024;

@@ -146,6 +146,32 @@ struct MovingNode {
   }
 };
 
+/// What the slots of a shared node add up to.
+template <class R>
+__device__ __forceinline__ void sumOfSlots(const NodeView<R>& nodes, std::int32_t shared, R (&sum)[3]) {
+  sum[0] = sum[1] = sum[2] = R(0);
+  const std::int32_t end = nodes.slotBegin[shared + 1];
+  for (std::int32_t s = nodes.slotBegin[shared]; s < end; ++s) {
+    const Row4<R> row = nodes.slots[nodes.slot[s]];
+    sum[0] += row.x;
+    sum[1] += row.y;
+    sum[2] += row.z;
+  }
+}
+/// The end of a step, behind the patches: node number `shared` of those that several patches share moves, if there is
+/// one, and the clock goes on.
+template <class R>
+__device__ __forceinline__ void finishStep(const NodeView<R>& nodes, std::int32_t shared) {
+  // The patches' kernel is done, so the clock may go on; nothing else reads the count of steps meanwhile.
+  if (shared == 0) ++nodes.clock->step;
+  if (shared >= nodes.count - nodes.interiorCount) return;
+  MovingNode<R> moving;
+  moving.load(nodes, nodes.interiorCount + shared);
+  R sum[3];
+  sumOfSlots(nodes, shared, sum);
+  moving.step(nodes, nodes.interiorCount + shared, static_cast<R>(nodes.clock->h), sum);
+}
+
 /// The nodes of a patch that a thread serves, and their rows of corners.
 template <int threads>
 struct OwnNodes {

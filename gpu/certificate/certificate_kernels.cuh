@@ -78,6 +78,37 @@ struct MeshDisplacements {
   __device__ double operator()(int component, int local) const { return (&u[own[local]].x)[component]; }
 };
 
+/// Where the balls of an element lie, ten halves each: F0 row by row and the radius, in pairs some halves apart.
+struct BallPlace {
+  struct Ball {
+    __half* first;
+    std::size_t toNext;  // from pair to pair
+    __device__ __forceinline__ __half& operator[](int i) const { return first[i / 2 * toNext + i % 2]; }
+  };
+  __half *points, *centre;
+  std::size_t toNextPoint, toNextPair;
+
+  __device__ __forceinline__ Ball ofPoint(int q) const { return {points + q * toNextPoint, toNextPair}; }
+  /// That of the point where there is one.
+  __device__ __forceinline__ Ball ofElement() const { return {centre, toNextPair}; }
+
+  /// What steps read.
+  static __device__ BallPlace inPlace(const CertificateView& view, std::size_t place, int points, int threads) {
+    const std::size_t patch = place / threads, thread = place % threads;
+    const auto at = [&](std::uint32_t* balls, std::size_t row) {
+      return reinterpret_cast<__half*>(balls + row * 5 * threads + thread);
+    };
+    return {at(view.balls, patch * static_cast<std::size_t>(points)), at(view.centres, patch),
+            static_cast<std::size_t>(10 * threads), static_cast<std::size_t>(2 * threads)};
+  }
+  /// Of an element on the list, until steps no longer read its old ones.
+  static __device__ BallPlace apart(const CertificateView& view, unsigned listed, int points) {
+    const int balls = ballsOfPoints(points);
+    auto* first = reinterpret_cast<__half*>(view.newBalls) + static_cast<std::size_t>(listed) * 10 * balls;
+    return {first, first + 10 * (balls - 1), 10, 2};
+  }
+};
+
 /// One element's part of the bound.
 template <class Element, class Law>
 struct ElementBound {
@@ -162,10 +193,10 @@ struct ElementBound {
   }
 
   /// Puts a ball around the gradients F(q): its radius, reference gradients and what both lose by rounding; and one
-  /// around their mean. The threads of the team share the points.
+  /// around their mean; where `balls` says. The threads of the team share the points.
   template <class Team, class Gradients>
-  static __device__ void setBall(const Law& law, const CertificateView& view, std::size_t place, int points,
-                                 const Gradients& F, double value, double allowance, double strainNorm) {
+  static __device__ void setBall(const Law& law, const BallPlace& balls, int points, const Gradients& F, double value,
+                                 double allowance, double strainNorm) {
     TangentDrift drift;
     double rounding2 = 0, size2 = 0;
     Matrix3<double> mean = Matrix3<double>::zero();
@@ -173,7 +204,7 @@ struct ElementBound {
       const Matrix3<double> own = F(q);
       drift.addPoint(law, own);
       mean = mean + own;
-      rounding2 = fmax(rounding2, distance2(own, storeCentre(own, ballAt(view, place, points, q))));
+      rounding2 = fmax(rounding2, distance2(own, storeCentre(own, balls.ofPoint(q))));
       size2 = fmax(size2, innerProduct(own, own));
     }
     drift.law.kappa = Team::largest(drift.law.kappa);
@@ -192,7 +223,7 @@ struct ElementBound {
                         : radius;
       return HalfRoundedDown(own >= 0 ? own : -1.0);
     };
-    if (Team::first() == 0) setRadius(ballAt(view, place, points, 0), around(rounding2));
+    if (Team::first() == 0) setRadius(balls.ofPoint(0), around(rounding2));
     if (points == 1) return;
 #pragma unroll
     for (double& entry : mean.m) entry = Team::sum(entry) * (1.0 / points);
@@ -201,8 +232,8 @@ struct ElementBound {
     for (int q = Team::first(); q < points; q += Team::size) off2 = fmax(off2, distance2(F(q), centre));
     off2 = Team::largest(off2);
     if (Team::first() != 0) return;
-    storeCentre(mean, centreAt(view, place));
-    setRadius(centreAt(view, place), around(off2));
+    storeCentre(mean, balls.ofElement());
+    setRadius(balls.ofElement(), around(off2));
   }
   /// What is stored of a centre.
   static __device__ Matrix3<double> rounded(const Matrix3<double>& centre) {
@@ -211,26 +242,16 @@ struct ElementBound {
     for (int i = 0; i < 9; ++i) stored.m[i] = static_cast<double>(__half2float(__double2half(centre.m[i])));
     return stored;
   }
-  static __device__ Matrix3<double> storeCentre(const Matrix3<double>& centre, __half* ball) {
+  static __device__ Matrix3<double> storeCentre(const Matrix3<double>& centre, const BallPlace::Ball& ball) {
 #pragma unroll
-    for (int i = 0; i < 9; ++i) ball[i / 2 * 2 * threads + i % 2] = __double2half(centre.m[i]);
+    for (int i = 0; i < 9; ++i) ball[i] = __double2half(centre.m[i]);
     return rounded(centre);
   }
   static __device__ double distance2(const Matrix3<double>& a, const Matrix3<double>& b) {
     return innerProduct(a - b, a - b);
   }
-  /// The ten halves of a point: entry i at [i / 2 * 2 * threads + i % 2].
-  static __device__ __forceinline__ __half* ballAt(const CertificateView& view, std::size_t place, int points, int q) {
-    return reinterpret_cast<__half*>(view.balls) +
-           2 * ((place / threads * static_cast<std::size_t>(points) + static_cast<std::size_t>(q)) * 5 * threads +
-                place % threads);
-  }
-  /// Those of the element: its ball where it has one point.
-  static __device__ __forceinline__ __half* centreAt(const CertificateView& view, std::size_t place) {
-    return reinterpret_cast<__half*>(view.centres) + 2 * (place / threads * 5 * threads + place % threads);
-  }
-  static __device__ __forceinline__ void setRadius(__half* ball, HalfRoundedDown radius) {
-    ball[4 * 2 * threads + 1] = radius.stored();
+  static __device__ __forceinline__ void setRadius(const BallPlace::Ball& ball, HalfRoundedDown radius) {
+    ball[9] = radius.stored();
   }
 };
 
@@ -338,10 +359,11 @@ __global__ void __launch_bounds__(patchThreads(Element::nodes))
     return deformationGradient<Element>(element, MeshDisplacements{nodes.u, own}, table, q, geometry.J1);
   };
   const int points = Element::constantGradient ? 1 : block.pointCount;
-  Bound::template setBall<SingleThread>(law, view, place, points, gradientAt, value, allowance, strainNorm);
+  const BallPlace balls = BallPlace::inPlace(view, place, points, Bound::threads);
+  Bound::template setBall<SingleThread>(law, balls, points, gradientAt, value, allowance, strainNorm);
   // Nothing of a wholly constrained element is left in the problem.
   if (constrained != 0 && value == 0 && strainNorm <= 1e-200)
-    Bound::setRadius(Bound::centreAt(view, place), HalfRoundedDown(std::numeric_limits<double>::infinity()));
+    Bound::setRadius(balls.ofElement(), HalfRoundedDown(std::numeric_limits<double>::infinity()));
 }
 
 /// max(0, lambda_max(D⁻¹ K)), K = Σ over points of w g (∂P/∂F) g at the gradients F(q) that an element had; pointAt(q):
@@ -479,7 +501,8 @@ struct WarpEvaluation {
 
 /// Threads of a block of the next kernel.
 constexpr int refreshThreads = 128;
-/// Elements that have left their balls are evaluated at the gradients that they noted; the last block clears the list.
+/// Elements that have left their balls are evaluated at the gradients that they noted. Where steps may read the balls
+/// meanwhile new ones lie apart, and are put in place later; else the last block clears the list.
 template <class Element, class Law>
 __global__ void __launch_bounds__(refreshThreads)
     refreshKernel(const BlockView<double> block, const NodeView<double> nodes, const __grid_constant__ Law law,
@@ -498,6 +521,7 @@ __global__ void __launch_bounds__(refreshThreads)
   bool lost = left > listed, near = false;
   constexpr double nearlyLost = RebuildPolicy{}.nearlyLost;
   const unsigned team = threadIdx.x / Team::size;
+  const bool apart = view.newBalls != nullptr;
   // The first team of each block, then the second: few elements are spread over all processors.
   for (unsigned i = team * gridDim.x + blockIdx.x; i < listed; i += teams * gridDim.x) {
     const std::size_t place = view.outsidePlace[i];
@@ -525,7 +549,9 @@ __global__ void __launch_bounds__(refreshThreads)
     lost = lost || !(value <= allowance);
     near = near || !(value <= nearlyLost * allowance);
     if (Team::first() == 0) view.value[place] = value;
-    Bound::template setBall<Team>(law, view, place, points, gradientAt, value, allowance, view.strainNorm[place]);
+    const BallPlace balls =
+        apart ? BallPlace::apart(view, i, points) : BallPlace::inPlace(view, place, points, Bound::threads);
+    Bound::template setBall<Team>(law, balls, points, gradientAt, value, allowance, view.strainNorm[place]);
   }
   if (lost) {
     // -1 is the largest of all as an unsigned number: the least step stays.
@@ -537,7 +563,7 @@ __global__ void __launch_bounds__(refreshThreads)
     __threadfence();
     if (atomicAdd(view.done, 1U) == gridDim.x - 1) {
       view.flags->evaluated += listed;
-      *view.outsideCount = 0;
+      if (!apart) *view.outsideCount = 0;
       *view.done = 0;
       if (view.countsSteps) view.flags->checked = step + 1;
     }

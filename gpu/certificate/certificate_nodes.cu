@@ -1,6 +1,7 @@
 #include <ringwatch/gpu/certificate/certificate_operations.h>
 #include <ringwatch/gpu/cuda_error.h>
 #include <ringwatch/monitor/bounds/nodal_weights.h>
+#include <ringwatch/gpu/body/patch_kernels.cuh>
 
 namespace ringwatch {
 namespace {
@@ -80,8 +81,53 @@ __global__ void __launch_bounds__(threads)
   for (int c = 0; c < 6; ++c) sums.factors[static_cast<std::size_t>(node) * 6 + c] = R.m[c];
 }
 
+constexpr int placeBlocks = 64;
+/// A thread a ball: [listed][ball][5] to [patch][point][5][thread], the last one of several to that of the element.
+__device__ void placeBalls(const BallPlacements& placements, unsigned thread) {
+  for (int b = 0; b < placements.count; ++b) {
+    const auto& [view, patchThreads, points] = placements.first[b];
+    const unsigned listed = min(*view.outsideCount, static_cast<unsigned>(view.capacity));
+    const auto balls = static_cast<unsigned>(ballsOfPoints(points));
+    for (unsigned i = thread; i < listed * balls; i += placeBlocks * threads) {
+      const std::size_t place = view.outsidePlace[i / balls], patch = place / patchThreads;
+      const unsigned ball = i % balls;
+      const bool ofElement = points > 1 && ball == static_cast<unsigned>(points);
+      std::uint32_t* to = (ofElement ? view.centres : view.balls) + place % patchThreads +
+                          (ofElement ? patch : patch * points + ball) * 5 * patchThreads;
+      for (int k = 0; k < 5; ++k) to[k * patchThreads] = view.newBalls[static_cast<std::size_t>(i) * 5 + k];
+    }
+  }
+  __syncthreads();
+  if (threadIdx.x != 0) return;
+  __threadfence();
+  if (atomicAdd(placements.done, 1U) != placeBlocks - 1) return;
+  for (int b = 0; b < placements.count; ++b) *placements.first[b].view.outsideCount = 0;
+  *placements.done = 0;
+}
+__global__ void __launch_bounds__(threads) placeBallsKernel(const BallPlacements placements) {
+  placeBalls(placements, blockIdx.x * threads + threadIdx.x);
+}
+/// The first blocks place balls, the others finish the step.
+__global__ void __launch_bounds__(threads)
+    finishStepAndPlaceKernel(const NodeView<double> nodes, const BallPlacements placements) {
+  const unsigned thread = blockIdx.x * threads + threadIdx.x;
+  if (blockIdx.x < placeBlocks)
+    placeBalls(placements, thread);
+  else
+    detail::finishStep(nodes, static_cast<std::int32_t>(thread - placeBlocks * threads));
+}
+
 }  // namespace
 
+void launchFinishStepAndPlace(const NodeView<double>& nodes, const BallPlacements& placements, cudaStream_t stream) {
+  const std::int32_t shared = nodes.count - nodes.interiorCount;
+  finishStepAndPlaceKernel<<<placeBlocks + (shared + threads) / threads, threads, 0, stream>>>(nodes, placements);
+  checkLaunch("step of shared nodes");
+}
+void launchPlaceBalls(const BallPlacements& placements, cudaStream_t stream) {
+  placeBallsKernel<<<placeBlocks, threads, 0, stream>>>(placements);
+  checkLaunch("new balls");
+}
 void launchGatherWeights(const BlockView<double>& block, const NodeView<double>& nodes, const CertificateView& view,
                          const NodalSums& sums, int elementNodes, const double* values, cudaStream_t stream) {
   if (block.patchCount == 0) return;

@@ -28,11 +28,14 @@ struct CertificateView {
   /// in their ball (Theorem 19, docs/theory/incremental_certificate.md), [patch][5][thread]: what a step reads. Of
   /// elements of one point the ball itself.
   std::uint32_t* centres = nullptr;
-  // Elements that left their balls in the last step.
+  // Elements that left their balls in a step.
   std::int32_t* outsidePlace = nullptr;  // [capacity]
   double* outsideF = nullptr;            // [capacity][point][9]
   unsigned* outsideCount = nullptr;      // may exceed the capacity: then some are not listed
-  unsigned* done = nullptr;              // thread blocks that have finished
+  /// Their new balls, [capacity][ball][5], a ball a point and behind them the centre, or one ball alone, to be put in
+  /// place when no step reads; nullptr where none reads while they are made.
+  std::uint32_t* newBalls = nullptr;
+  unsigned* done = nullptr;  // thread blocks that have finished
   std::int32_t capacity = 0;
   CertificateFlags* flags = nullptr;
   bool countsSteps = false;  // of all blocks one does
@@ -66,9 +69,28 @@ struct CertificateOperations {
   Launch sweep = nullptr;       // weights ← R D R
   Launch distribute = nullptr;  // allowances for sigma, balls around here
   Launch step = nullptr;        // force, step and ball test in one pass
-  Launch refresh = nullptr;     // the elements that have left
+  Launch refresh = nullptr;     // the elements that have left: values, and balls to come
 };
+/// Balls that are stored of an element of so many points.
+constexpr int ballsOfPoints(int points) { return points > 1 ? points + 1 : 1; }
 CertificateOperations certificateOperations(ElementType type, std::size_t law);
+
+/// The list of a block's elements that had left their balls, and where the new ones belong.
+struct BallPlacement {
+  CertificateView view;
+  std::int32_t threads = 0, points = 0;  // of a patch, and at which geometry is stored
+};
+/// Of all blocks, in device memory.
+struct BallPlacements {
+  const BallPlacement* first = nullptr;
+  int count = 0;
+  unsigned* done = nullptr;  // thread blocks that have finished
+};
+/// Ends a step as launchFinishStep() does; beside that, puts the new balls of listed elements in place, and clears
+/// their lists.
+void launchFinishStepAndPlace(const NodeView<double>& nodes, const BallPlacements& placements, cudaStream_t stream);
+/// Puts the balls in place alone.
+void launchPlaceBalls(const BallPlacements& placements, cudaStream_t stream);
 
 /// Σ_e values D_(e,a) at the patches' nodes, into slots and sums.
 void launchGatherWeights(const BlockView<double>& block, const NodeView<double>& nodes, const CertificateView& view,

@@ -14,9 +14,14 @@ namespace ringwatch {
 namespace {
 constexpr RebuildPolicy policy;
 constexpr CertificateFlags noFlags{0, -1, 0, 0};
+/// In bodies of so many patches the time that a few evaluations take is small beside a step, and where many elements
+/// leave at a time they take work, which would be done twice.
+constexpr std::int32_t patchesOfLargeBodies = 4000;
+constexpr std::size_t wordsOfBall = 5, bytesOfBall = wordsOfBall * sizeof(std::uint32_t);
 }  // namespace
 
-DeviceCertificate::Impl::Part::Part(DevicePart<double>& of) : body(of) {
+DeviceCertificate::Impl::Part::Part(DevicePart<double>& of, bool besideNext) : body(of) {
+  const std::size_t lists = besideNext ? 2 : 1;
   const std::size_t count = body.nodeCount;
   std::size_t need = (body.slots.size() * 6 + count * 13) * sizeof(double) +
                      SlotExchange::bytesOnDevice(body.exchanges, 6 * sizeof(double));
@@ -24,12 +29,13 @@ DeviceCertificate::Impl::Part::Part(DevicePart<double>& of) : body(of) {
     // When more elements leave at once than this, evaluating them one by one is no longer worth it.
     return static_cast<std::size_t>(std::max(4096, from.view.patchCount * from.threads / 16));
   };
+  const auto ballsOf = [](const auto& from) { return static_cast<std::size_t>(ballsOfPoints(from.points)); };
   for (const auto& from : body.blocks) {
     const std::size_t places = static_cast<std::size_t>(from.view.patchCount) * static_cast<std::size_t>(from.threads),
                       points = static_cast<std::size_t>(from.points);
-    need += places * (static_cast<std::size_t>(6 * from.elementNodes + 3) * sizeof(double) +
-                      (points > 1 ? points + 1 : 1) * 20) +
-            capacityOf(from) * (9 * points * sizeof(double) + 4);
+    need +=
+        places * (static_cast<std::size_t>(6 * from.elementNodes + 3) * sizeof(double) + ballsOf(from) * bytesOfBall) +
+        capacityOf(from) * lists * (9 * points * sizeof(double) + sizeof(std::int32_t) + ballsOf(from) * bytesOfBall);
   }
   requireDeviceMemory(need);
   flags = DeviceVector<CertificateFlags>(std::vector<CertificateFlags>{noFlags});
@@ -43,31 +49,44 @@ DeviceCertificate::Impl::Part::Part(DevicePart<double>& of) : body(of) {
     block.value = DeviceVector<double>(places);
     block.allowance = DeviceVector<double>(places);
     block.strainNorm = DeviceVector<double>(places);
-    block.balls = DeviceVector<std::uint32_t>(places * points * 5);
-    if (points > 1) block.centres = DeviceVector<std::uint32_t>(places * 5);
-    block.outsidePlace = DeviceVector<std::int32_t>(capacity);
-    block.outsideF = DeviceVector<double>(capacity * points * 9);
-    block.counters = DeviceVector<unsigned>(std::vector<unsigned>{0, 0});
-    block.view = {block.weights.data(),
-                  block.value.data(),
-                  block.allowance.data(),
-                  block.strainNorm.data(),
-                  block.balls.data(),
-                  points > 1 ? block.centres.data() : block.balls.data(),
-                  block.outsidePlace.data(),
-                  block.outsideF.data(),
-                  block.counters.data(),
-                  block.counters.data() + 1,
-                  static_cast<std::int32_t>(capacity),
-                  flags.data(),
-                  false};
+    block.balls = DeviceVector<std::uint32_t>(places * points * wordsOfBall);
+    if (points > 1) block.centres = DeviceVector<std::uint32_t>(places * wordsOfBall);
+    block.outsidePlace = DeviceVector<std::int32_t>(lists * capacity);
+    block.outsideF = DeviceVector<double>(lists * capacity * points * 9);
+    if (besideNext) block.newBalls = DeviceVector<std::uint32_t>(lists * capacity * ballsOf(from) * wordsOfBall);
+    enum : std::size_t { done, ofLists };
+    block.counters = DeviceVector<unsigned>(std::vector<unsigned>(ofLists + lists, 0));
+    for (std::size_t list = 0; list < lists; ++list)
+      block.views[list] = {
+          .weights = block.weights.data(),
+          .value = block.value.data(),
+          .allowance = block.allowance.data(),
+          .strainNorm = block.strainNorm.data(),
+          .balls = block.balls.data(),
+          .centres = points > 1 ? block.centres.data() : block.balls.data(),
+          .outsidePlace = block.outsidePlace.data() + list * capacity,
+          .outsideF = block.outsideF.data() + list * capacity * points * 9,
+          .outsideCount = block.counters.data() + ofLists + list,
+          .newBalls = besideNext ? block.newBalls.data() + list * capacity * ballsOf(from) * wordsOfBall : nullptr,
+          .done = block.counters.data() + done,
+          .capacity = static_cast<std::int32_t>(capacity),
+          .flags = flags.data()};
   }
   // Blocks are refreshed one after the other: the last one closes the step.
   for (std::size_t b = blocks.size(); b-- > 0;)
     if (body.blocks[b].view.patchCount > 0) {
-      blocks[b].view.countsSteps = true;
+      for (CertificateView& view : blocks[b].views) view.countsSteps = true;
       break;
     }
+  placed = DeviceVector<unsigned>(std::vector<unsigned>{0});
+  for (std::size_t list = 0; besideNext && list < lists; ++list) {
+    std::vector<BallPlacement> ofBlocks;
+    for (std::size_t b = 0; b < blocks.size(); ++b)
+      if (body.blocks[b].view.patchCount > 0)
+        ofBlocks.push_back({blocks[b].views[list], body.blocks[b].threads, body.blocks[b].points});
+    placementOfBlock[list] = DeviceVector<BallPlacement>(ofBlocks);
+    placements[list] = {placementOfBlock[list].data(), static_cast<int>(ofBlocks.size()), placed.data()};
+  }
   slots = DeviceVector<double>(body.slots.size() * 6);
   nodeSums = DeviceVector<double>(count * 6);
   factors = DeviceVector<double>(count * 6);
@@ -77,10 +96,11 @@ DeviceCertificate::Impl::Part::Part(DevicePart<double>& of) : body(of) {
   sums = {slots.data(), nodeSums.data(), factors.data(), nodal.data(), boundBits.data()};
 }
 
-DeviceCertificate::Impl::Impl(DeviceBody<double>& deviceBody) : body(deviceBody.impl()) {
+DeviceCertificate::Impl::Impl(DeviceBody<double>& deviceBody, std::optional<bool> wanted)
+    : body(deviceBody.impl()), besideNext(wanted.value_or(body.patchCount < patchesOfLargeBodies)) {
   std::vector<SlotExchange::Part> ends;
   body.forEachPart([&](DevicePart<double>& part) {
-    parts.push_back(std::make_unique<Part>(part));
+    parts.push_back(std::make_unique<Part>(part, besideNext));
     ends.push_back({part.device, part.stream, parts.back()->slots.data(), &part.exchanges});
   });
   exchange = std::make_unique<SlotExchange>(ends, 6 * sizeof(double));
@@ -98,7 +118,7 @@ void DeviceCertificate::Impl::launch(CertificateOperations::Launch CertificateOp
 double DeviceCertificate::Impl::boundOf(DeviceVector<double> Block::*values) {
   const auto gather = [&](std::size_t p, std::size_t b) {
     Part& part = *parts[p];
-    launchGatherWeights(part.body.blocks[b].view, part.body.nodes, part.blocks[b].view, part.sums,
+    launchGatherWeights(part.body.blocks[b].view, part.body.nodes, part.blocks[b].views[0], part.sums,
                         part.blocks[b].elementNodes, (part.blocks[b].*values).data(), part.body.stream);
   };
   const auto bound = [&](std::size_t p) {
@@ -148,27 +168,41 @@ double DeviceCertificate::Impl::verify() {
   return std::max(excess, boundOf(&Block::allowance) / sigma - 1);
 }
 
-void DeviceCertificate::Impl::enqueueStep() {
-  const auto step = [&](std::size_t p, std::size_t b) {
-    if (parts[p]->body.blocks[b].view.patchCount > 0)
-      parts[p]->blocks[b].operations.step(parts[p]->arguments(b, sigma, parts[p]->body.stream));
-  };
-  // What has left is evaluated beside the step of the shared nodes: it needs no positions, only what was noted.
-  const auto refresh = [&](std::size_t p) {
-    Part& part = *parts[p];
-    part.forked.record(part.body.stream);
-    part.forked.holdUp(part.side);
-    for (std::size_t b = 0; b < part.blocks.size(); ++b)
-      if (part.body.blocks[b].view.patchCount > 0)
-        part.blocks[b].operations.refresh(part.arguments(b, sigma, part.side));
-    part.joined.record(part.side);
-  };
-  const auto finish = [&](std::size_t p) {
-    Part& part = *parts[p];
-    launchFinishStep<double>(part.body.nodes, part.body.stream);
-    part.joined.holdUp(part.body.stream);
-  };
-  body.enqueue(*body.exchange, step, refresh, finish);
+void DeviceCertificate::Impl::enqueueSteps(std::int64_t count) {
+  for (std::int64_t k = 0; k < count; ++k) {
+    const std::size_t list = besideNext ? k % 2 : 0, before = 1 - list;
+    const auto step = [&](std::size_t p, std::size_t b) {
+      if (parts[p]->body.blocks[b].view.patchCount > 0)
+        parts[p]->blocks[b].operations.step(parts[p]->arguments(b, sigma, parts[p]->body.stream, list));
+    };
+    const auto refresh = [&](std::size_t p) {
+      Part& part = *parts[p];
+      part.forked.record(part.body.stream);
+      part.forked.holdUp(part.side);
+      for (std::size_t b = 0; b < part.blocks.size(); ++b)
+        if (part.body.blocks[b].view.patchCount > 0)
+          part.blocks[b].operations.refresh(part.arguments(b, sigma, part.side, list));
+      part.joined[list].record(part.side);
+    };
+    const auto finish = [&](std::size_t p) {
+      Part& part = *parts[p];
+      if (besideNext && k > 0) {
+        part.joined[before].holdUp(part.body.stream);
+        launchFinishStepAndPlace(part.body.nodes, part.placements[before], part.body.stream);
+      } else {
+        launchFinishStep<double>(part.body.nodes, part.body.stream);
+        if (!besideNext) part.joined[list].holdUp(part.body.stream);
+      }
+    };
+    body.enqueue(*body.exchange, step, refresh, finish);
+  }
+  if (!besideNext) return;
+  const std::size_t last = (count - 1) % 2;
+  for (const auto& part : parts) {
+    const OnDevice here(part->body.device);
+    part->joined[last].holdUp(part->body.stream);
+    launchPlaceBalls(part->placements[last], part->body.stream);
+  }
 }
 
 CertificateFlags DeviceCertificate::Impl::flags() const {
@@ -185,7 +219,8 @@ CertificateFlags DeviceCertificate::Impl::flags() const {
   return all;
 }
 
-DeviceCertificate::DeviceCertificate(DeviceBody<double>& body) : impl_(std::make_unique<Impl>(body)) {}
+DeviceCertificate::DeviceCertificate(DeviceBody<double>& body, std::optional<bool> besideNext)
+    : impl_(std::make_unique<Impl>(body, besideNext)) {}
 DeviceCertificate::~DeviceCertificate() {
   for (const auto& part : impl_->parts) cudaStreamSynchronize(part->body.stream);
 }
@@ -225,7 +260,7 @@ bool DeviceCertificate::renew() { return certify(impl_->sigma); }
 
 void DeviceCertificate::step(double h, std::int64_t count) {
   impl_->body.setStep(h);
-  impl_->body.repeat(count, impl_->graphs, [&] { impl_->enqueueStep(); });
+  impl_->body.repeat(count, impl_->graphs, [&](std::int64_t steps) { impl_->enqueueSteps(steps); });
 }
 
 DeviceCertificate::Status DeviceCertificate::status() const {

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include <ringwatch/gpu/body/device_body.h>
 #include <ringwatch/monitor/bounds.h>
@@ -11,16 +12,18 @@ namespace ringwatch {
 /// Threshold mode on the device: proves, for the state before every step, that the step h is certified, that is
 /// lambda_max(M⁻¹K(x)) <= sigma for the sigma that h stands for; the mathematics is IncrementalNodalBound's. Weights
 /// D_e and allowances stay frozen while every element is in a ball around the deformation gradient at which it was
-/// evaluated last. The pass that computes forces tests the balls; elements that have left are evaluated at once, in the
-/// same graph. Nothing is asked of the host: what was found stays in flags until the host reads them.
+/// evaluated last. The pass that computes forces tests the balls; elements that have left are evaluated beside others'
+/// work, in the same graph. Nothing is asked of the host: what was found stays in flags until the host reads them.
 ///
 /// Unlike IncrementalNodalBound it distributes no allowances again for single elements: renew() does so for all.
 /// Theorems 14 to 18, docs/theory/incremental_certificate.md, with fixed allowances between two calls of renew().
 class DeviceCertificate {
  public:
-  /// The body must outlive the certificate. Throws InputError, with need and free memory, when the device has too
+  /// The body must outlive the certificate. besideNext: elements that have left are evaluated beside the patches of the
+  /// next step too, which evaluates them once more; where that is not given, in small bodies, whose steps would wait
+  /// for them. What is proven is the same. Throws InputError, with need and free memory, when the device has too
   /// little.
-  explicit DeviceCertificate(DeviceBody<double>& body);
+  explicit DeviceCertificate(DeviceBody<double>& body, std::optional<bool> besideNext = {});
   ~DeviceCertificate();
   DeviceCertificate(const DeviceCertificate&) = delete;
   DeviceCertificate& operator=(const DeviceCertificate&) = delete;

@@ -29,7 +29,9 @@ struct DeviceImex::Impl {
   /// Keeps the state, or puts it back.
   void copyState(bool back);
   void run(std::int64_t count) {
-    body.repeat(count, graphs, [this] { enqueueStep(); });
+    body.repeat(count, graphs, [this](std::int64_t steps) {
+      for (; steps > 0; --steps) enqueueStep();
+    });
   }
 
   DeviceBody<double>::Impl& whole;

@@ -108,6 +108,43 @@ void ballsHold(const char* element, const char* law, int steps = 300, std::array
               renewed, static_cast<long long>(evaluated));
 }
 
+/// Evaluations beside the next step lose the certificate at the step at which those of a run step by step lose it, and
+/// no later than an element exceeds its allowance by a proof from scratch.
+void besideNextStep() {
+  constexpr int bunches = 12, steps = 20;
+  for (const char* element : {"tet4", "hex8", "wedge6", "pyramid5"}) {
+    const Drawn drawn(element, "stvk", {6, 3, 3}, 0.05);
+    DeviceBody<double> device(drawn.body), alone(drawn.body);
+    device.setVelocities(drawn.v);
+    alone.setVelocities(drawn.v);
+    DeviceCertificate certificate(device, true), stepByStep(alone, false);
+    const std::string what = element;
+    int lost = 0, kept = 0;
+    for (int bunch = 0; bunch < bunches; ++bunch) {
+      // By turns with little and with much room, and each time with weights from scratch.
+      const double sigma = (bunch % 2 == 0 ? 1.02 : 2) * certificate.bound().value;
+      stepByStep.bound();
+      expect(certificate.certify(sigma) && stepByStep.certify(sigma), what + " both certified");
+      const double h = 0.5 * 2 / std::sqrt(sigma);
+      std::int64_t exceeded = -1;
+      for (int k = 0; k < steps; ++k) {
+        if (exceeded < 0 && stepByStep.impl().verify() > 1e-9) exceeded = k;
+        stepByStep.step(h);
+      }
+      certificate.step(h, steps);
+      const DeviceCertificate::Status found = certificate.status(), expected = stepByStep.status();
+      expect(found.checked == steps && expected.checked == steps, what + " every step is checked");
+      expect(found.lostAt == expected.lostAt, what + " is lost where a run step by step is");
+      expect(exceeded < 0 || (found.lostAt >= 0 && found.lostAt <= exceeded), what + " is lost in time");
+      expect(found.evaluated >= expected.evaluated, what + " evaluates what a run step by step does");
+      ++(found.lostAt < 0 ? kept : lost);
+    }
+    expect(device.positions() == alone.positions(), what + " has the same positions");
+    expect(lost > 0 && kept > 0, what + " is kept and lost, else this tests nothing");
+    std::printf("    %s: kept in %d, lost in %d bunches of steps\n", element, kept, lost);
+  }
+}
+
 /// Elements that have left their balls are evaluated by warps; all of them then have the values that the pass over all
 /// elements, a thread each, found at the same state.
 void evaluatesWhatHasLeft() {
@@ -116,7 +153,7 @@ void evaluatesWhatHasLeft() {
       const Body body = loadedBar(element, law, {4, 2, 2});
       DeviceBody<double> device(body);
       device.setPositions(randomState(body.mesh(), 0.01, 3));
-      DeviceCertificate certificate(device);
+      DeviceCertificate certificate(device, law == lawNames[0]);  // some with balls that are put in place later
       const std::string what = std::string(element) + " " + law;
       expect(certificate.certify(2 * certificate.bound(6).value), what + " certified");
       auto& impl = certificate.impl();
@@ -249,6 +286,7 @@ const Test tests[] = {
      [] {
        for (const char* element : {"hex8", "wedge6", "pyramid5"}) ballsHold(element, "stvk");
      }},
+    {"certificate-beside-next-step", true, besideNextStep},
     // Short enough for the sanitizers of the CUDA Toolkit, which are a thousand times slower.
     {"certificate-small-balls", true,
      [] {
