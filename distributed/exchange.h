@@ -5,6 +5,7 @@
 #include <functional>
 #include <limits>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -25,8 +26,17 @@ struct Received {
   }
 };
 
-/// Sends to[rank] to every rank; each is given back empty. Values are copied byte by byte, at most 2³¹ - 1 of them on a
-/// rank. Collective.
+namespace detail {
+/// A number of values as MPI counts them.
+inline int messageCount(std::size_t count) {
+  if (count > static_cast<std::size_t>(std::numeric_limits<int>::max()))
+    throw std::length_error("more values to exchange with other ranks than a message can count; use more ranks");
+  return static_cast<int>(count);
+}
+}  // namespace detail
+
+/// Sends to[rank] to every rank; each is given back empty. Values are copied byte by byte. Throws std::length_error, on
+/// one rank alone, where it has more than 2³¹ - 1 of them, which ends a program. Collective.
 template <class T>
 Received<T> exchange(Ranks& ranks, std::vector<std::vector<T>>& to) {
   static_assert(std::is_trivially_copyable_v<T>);
@@ -34,9 +44,9 @@ Received<T> exchange(Ranks& ranks, std::vector<std::vector<T>>& to) {
   std::vector<int> counts(size), starts(size), countsIn(size), startsIn(size);
   std::size_t total = 0;
   for (std::size_t r = 0; r < size; ++r) {
-    counts[r] = static_cast<int>(to[r].size());
-    starts[r] = static_cast<int>(total);
+    starts[r] = detail::messageCount(total);
     total += to[r].size();
+    counts[r] = detail::messageCount(to[r].size());
   }
   std::vector<T> sent;
   sent.reserve(total);
@@ -48,7 +58,7 @@ Received<T> exchange(Ranks& ranks, std::vector<std::vector<T>>& to) {
   Received<T> received;
   received.begin.push_back(0);
   for (std::size_t r = 0; r < size; ++r) {
-    startsIn[r] = static_cast<int>(received.begin.back());
+    startsIn[r] = detail::messageCount(received.begin.back());
     received.begin.push_back(received.begin.back() + static_cast<std::size_t>(countsIn[r]));
   }
   received.values.resize(received.begin.back());

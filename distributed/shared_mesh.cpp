@@ -57,8 +57,9 @@ class NodeDirectory {
     std::vector<std::int64_t> places;
     places.reserve(ids.size());
     for (const std::int64_t id : ids) {
-      const std::int64_t place = id - *offset_;
-      places.push_back(place >= 0 && place < allNodes_ ? place : none);
+      // Any number may stand in a file: unsigned, so that none overflows.
+      const std::uint64_t place = static_cast<std::uint64_t>(id) - static_cast<std::uint64_t>(*offset_);
+      places.push_back(place < static_cast<std::uint64_t>(allNodes_) ? static_cast<std::int64_t>(place) : none);
     }
     return places;
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <new>
 #include <optional>
 #include <string>
 #include <utility>
@@ -211,6 +212,8 @@ InspectResult inspectInParts(Ranks& ranks, const InspectOptions& options) {
   } catch (const InputError&) {
     if (ranks.rank() == 0) throw;
     nothing.status = ExitStatus::badInput;
+  } catch (const std::bad_alloc&) {
+    endAll(ranks, "out of memory; use more ranks, on more machines");
   } catch (const std::exception& fault) {
     endAll(ranks, fault.what());
   }

@@ -33,15 +33,12 @@ MappedFile::MappedFile(const std::filesystem::path& path) {
   const std::string name = path.string();
   if (!std::filesystem::is_regular_file(statusOfFile(path)))
     throw InputError(name + ": cannot read: this is no regular file, a mesh file is needed");
-  const auto cannotRead = [&] { return InputError(name + ": cannot read: " + std::strerror(errno)); };
   const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (file < 0) throw cannotRead();
-  const off_t size = ::lseek(file, 0, SEEK_END);
+  const off_t size = file < 0 ? -1 : ::lseek(file, 0, SEEK_END);
   void* data = size > 0 ? ::mmap(nullptr, static_cast<std::size_t>(size), PROT_READ, MAP_PRIVATE, file, 0) : nullptr;
-  const bool failed = size < 0 || data == MAP_FAILED;
-  const InputError fault = cannotRead();
-  ::close(file);  // the mapping stays
-  if (failed) throw fault;
+  const int fault = size < 0 || data == MAP_FAILED ? errno : 0;
+  if (file >= 0) ::close(file);  // the mapping stays
+  if (fault != 0) throw InputError(name + ": cannot read: " + std::strerror(fault));
   if (size == 0) throw InputError(name + ": the file is empty");
   data_ = static_cast<const char*>(data);
   size_ = static_cast<std::size_t>(size);

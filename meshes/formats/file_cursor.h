@@ -85,10 +85,10 @@ class FileCursor {
     return text_.substr(position_, expected.size()) == expected;
   }
   void seek(std::size_t position) { position_ = position; }
-  /// Passes over the raw values of so many things.
+  /// Passes over so many things of raw values of 8 bytes.
   void skip(std::size_t count, std::size_t bytesEach, std::string_view what) {
     if (remaining() / bytesEach < count) {
-      position_ = text_.size();
+      position_ += remaining() / sizeof(double) * sizeof(double);  // the value that is not whole
       fail(joinText("the file ends where ", what, " is expected"));
     }
     position_ += count * bytesEach;

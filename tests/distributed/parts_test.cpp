@@ -25,7 +25,8 @@ namespace {
 using test::Some;
 using test::worldSize;
 
-/// A bar of all linear elements or of tetrahedra, with numbers that are consecutive, or in no order and far apart.
+/// A bar of all linear elements or of tetrahedra: in order with consecutive numbers, or in no order with numbers that
+/// are far apart.
 Mesh trialMesh(bool mixed, bool shuffled, std::array<int, 3> cells) {
   BarOptions options;
   options.size = {0.1, 0.04, 0.03};
@@ -36,9 +37,29 @@ Mesh trialMesh(bool mixed, bool shuffled, std::array<int, 3> cells) {
   std::iota(mesh.nodeIds.begin(), mesh.nodeIds.end(), 1);
   if (!shuffled) return mesh;
   Random random(7);
-  for (std::size_t i = mesh.nodeIds.size(); i-- > 1;)
-    std::swap(mesh.nodeIds[i], mesh.nodeIds[static_cast<std::size_t>(random.index(static_cast<int>(i) + 1))]);
+  const auto shuffle = [&](std::size_t count, const auto& swap) {
+    for (std::size_t i = count; i-- > 1;) swap(i, static_cast<std::size_t>(random.index(static_cast<int>(i) + 1)));
+  };
+  std::vector<std::int32_t> place(mesh.nodeCount());  // of each node
+  std::iota(place.begin(), place.end(), 0);
+  shuffle(place.size(), [&](std::size_t i, std::size_t j) { std::swap(place[i], place[j]); });
+  shuffle(place.size(), [&](std::size_t i, std::size_t j) { std::swap(mesh.nodeIds[i], mesh.nodeIds[j]); });
   for (std::int64_t& id : mesh.nodeIds) id = 3 + 1'000'003 * id;
+  const NodeVectors X = mesh.X;
+  for (std::size_t i = 0; i < place.size(); ++i) mesh.X.col(place[i]) = X.col(static_cast<Eigen::Index>(i));
+  for (MeshBlock& block : mesh.blocks) {
+    for (std::int32_t& node : block.connectivity) node = place[node];
+    const int n = block.nodesPerElement();
+    shuffle(block.elementCount(), [&](std::size_t i, std::size_t j) {
+      std::int32_t* nodes = block.connectivity.data();
+      if (i != j) std::swap_ranges(nodes + i * n, nodes + (i + 1) * n, nodes + j * n);
+    });
+  }
+  for (auto& [name, nodes] : mesh.nodeSets) {
+    for (std::int32_t& node : nodes) node = place[node];
+    std::sort(nodes.begin(), nodes.end());
+  }
+  mesh.elementSets.clear();
   return mesh;
 }
 

@@ -408,6 +408,10 @@ TEST_F(RanksProgram, InspectsInParts) {
     const auto head = [](const std::string& all) { return all.substr(0, all.find("critical step")); };
     EXPECT_EQ(head(said), head(alone.out));
   }
+  // The command writes such files.
+  ASSERT_EQ(call("mesh convert tetrahedra.msh converted.msh --binary").status, 0);
+  EXPECT_EQ(folder_.read("converted.msh"), folder_.read("tetrahedra_binary.msh"));
+  test::Program::expectRefused("mesh convert tetrahedra.msh converted.vtu --binary", "--binary");
   // The exact value takes the whole body.
   ASSERT_EQ(call("inspect tetrahedra_binary.msh" + law + "--global --json alone.json").status, 0);
   const Outcome global = onRanks(2, "tetrahedra_binary.msh" + law + "--global --json global.json", "inspect");
