@@ -24,6 +24,18 @@ double sumOf(std::span<const double> parts) {
   return sum;
 }
 
+/// det J of an element at a point with the shape gradients dN, in twice the precision.
+double wideDeterminant(const NodeVectors& X, std::span<const std::int32_t> nodes, const double (*dN)[3]) {
+  using Wide = DoubleDouble<double>;
+  auto J = Matrix3<Wide>::zero();
+  for (std::size_t a = 1; a < nodes.size(); ++a)
+    for (int i = 0; i < 3; ++i) {
+      const Wide edge = Wide::sum(X(i, nodes[a]), -X(i, nodes[0]));
+      for (int j = 0; j < 3; ++j) J(i, j) += edge * Wide(dN[a][j]);
+    }
+  return determinant(J).rounded();
+}
+
 }  // namespace
 
 Body::Body(Mesh mesh, const Material& material, const BodyOptions& options)
@@ -253,22 +265,11 @@ std::vector<const ElementTangents*> Body::tangentsOfBlocks() const {
   return tangents;
 }
 
-double Body::wideDeterminant(std::span<const std::int32_t> nodes, const double (*dN)[3]) const {
-  using Wide = DoubleDouble<double>;
-  auto J = Matrix3<Wide>::zero();
-  for (std::size_t a = 1; a < nodes.size(); ++a)
-    for (int i = 0; i < 3; ++i) {
-      const Wide edge = Wide::sum(mesh_.X(i, nodes[a]), -mesh_.X(i, nodes[0]));
-      for (int j = 0; j < 3; ++j) J(i, j) += edge * Wide(dN[a][j]);
-    }
-  return determinant(J).rounded();
-}
-
-void Body::elementLumpedMass(ElementRef ref, double* mass) const {
-  const ElementBlock& block = *blocks_[ref.block];
+void elementLumpedMass(const Mesh& mesh, const ElementBlock& block, Lumping lumping, std::int32_t number,
+                       double* mass) {
   const ElementInfo& element = block.element();
   const double density = block.material().density;
-  const auto nodes = block.nodesOf(ref.element);
+  const auto nodes = block.nodesOf(number);
   const int n = element.nodes;
   double N[maxElementNodes], dN[maxElementNodes][3], diagonal[maxElementNodes];
   std::fill(mass, mass + n, 0.0);
@@ -276,22 +277,23 @@ void Body::elementLumpedMass(ElementRef ref, double* mass) const {
   for (const QuadraturePoint& point : element.massRule.points) {
     element.shape(point.xi, N);
     element.shapeGradient(point.xi, dN);
-    const Eigen::Matrix3d J = jacobianOf(mesh_.X, nodes.data(), n, dN[0]);
+    const Eigen::Matrix3d J = jacobianOf(mesh.X, nodes.data(), n, dN[0]);
     double volume = J.determinant();
     // The determinant of a flat element cancels.
     constexpr double flat = 1e-2;
-    if (const double size = J.norm(); !(volume > flat * size * size * size)) volume = wideDeterminant(nodes, dN);
+    if (const double size = J.norm(); !(volume > flat * size * size * size))
+      volume = wideDeterminant(mesh.X, nodes, dN);
     const double w = density * volume * point.weight;
     for (int a = 0; a < n; ++a) {
       mass[a] += w * N[a];
       diagonal[a] += w * N[a] * N[a];
     }
   }
-  if (options_.lumping == Lumping::equal) {
+  if (lumping == Lumping::equal) {
     double sum = 0;
     for (int a = 0; a < n; ++a) sum += mass[a];
     std::fill(mass, mass + n, sum / n);
-  } else if (options_.lumping == Lumping::diagonalScaling || !element.positiveRowSums) {
+  } else if (lumping == Lumping::diagonalScaling || !element.positiveRowSums) {
     double sum = 0, trace = 0;
     for (int a = 0; a < n; ++a) {
       sum += mass[a];
@@ -301,22 +303,23 @@ void Body::elementLumpedMass(ElementRef ref, double* mass) const {
   }
 }
 
-Eigen::VectorXd Body::lumpMass() {
-  Eigen::VectorXd lumped = Eigen::VectorXd::Zero(mesh_.nodeCount());
+LumpedMass lumpedMass(const Mesh& mesh, const std::vector<std::unique_ptr<ElementBlock>>& blocks, Lumping lumping) {
+  LumpedMass result{Eigen::VectorXd::Zero(static_cast<Eigen::Index>(mesh.nodeCount())), 0};
+  Eigen::VectorXd& lumped = result.ofNode;
   double expected = 0, mass[maxElementNodes], volumes[lanes];
-  for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    const ElementBlock& block = *blocks_[b];
+  for (const auto& own : blocks) {
+    const ElementBlock& block = *own;
     const double density = block.material().density;
     double blockMass = 0, ruleVolume = 0;
     for (std::int32_t e = 0; e < block.elementCount(); ++e) {
-      elementLumpedMass({b, e}, mass);
+      elementLumpedMass(mesh, block, lumping, e, mass);
       const auto nodes = block.nodesOf(e);
       for (std::size_t a = 0; a < nodes.size(); ++a) {
         lumped[nodes[a]] += mass[a];
         blockMass += mass[a];
       }
     }
-    volume_ += blockMass / density;
+    result.volume += blockMass / density;
     // The volume of the stiffness rule and the mass rule's: two ways to the same number, except for quadratic elements
     // with curved sides, whose Jacobian a rule made for straight ones does not integrate exactly.
     const bool exact =
@@ -331,7 +334,13 @@ Eigen::VectorXd Body::lumpMass() {
     if (!(lumped[i] > 0)) throw NumericalError(joinText("node ", i, ": lumped mass ", lumped[i], " kg must be > 0"));
   if (!(std::abs(lumped.sum() - expected) <= 1e-10 * expected))
     throw NumericalError(joinText("lumped mass ", lumped.sum(), " kg differs from density x volume ", expected, " kg"));
-  return lumped;
+  return result;
+}
+
+Eigen::VectorXd Body::lumpMass() {
+  LumpedMass lumped = ringwatch::lumpedMass(mesh_, blocks_, options_.lumping);
+  volume_ = lumped.volume;
+  return std::move(lumped.ofNode);
 }
 
 void Body::addBodyForce(const Eigen::Vector3d& acceleration) {

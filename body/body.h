@@ -32,6 +32,18 @@ struct BodyOptions {
   HourglassControl hourglassControl = {};  // of rules of uniform strain
 };
 
+/// Lumped mass that an element gives to its nodes, kg: mass[n].
+void elementLumpedMass(const Mesh& mesh, const ElementBlock& block, Lumping lumping, std::int32_t element,
+                       double* mass);
+/// The lumped mass of each node, kg, and the volume at rest, m³, of elements.
+struct LumpedMass {
+  Eigen::VectorXd ofNode;
+  double volume = 0;
+};
+/// Of all blocks of a mesh; each node's is summed by block and number of its elements. Throws NumericalError where one
+/// is not positive or they do not add up to density × volume.
+LumpedMass lumpedMass(const Mesh& mesh, const std::vector<std::unique_ptr<ElementBlock>>& blocks, Lumping lumping);
+
 /// Values at some nodes that come from elsewhere while a pass over the elements runs: other processes own these nodes.
 /// The pass goes over the patches without such nodes first. Sums at nodes keep their order, and so their bits.
 class NodeArrival {
@@ -134,7 +146,9 @@ class Body : public TangentSource {
   /// The strain energy alone, J.
   double energy(NodeVectorsView x, Workspace& workspace) const;
   /// Lumped mass that an element gives to its nodes, kg: mass[n].
-  void elementLumpedMass(ElementRef element, double* mass) const;
+  void elementLumpedMass(ElementRef element, double* mass) const {
+    ringwatch::elementLumpedMass(mesh_, *blocks_[element.block], options_.lumping, element.element, mass);
+  }
   /// Least det F over all elements and quadrature points, with its element.
   struct LeastDeterminant {
     double value;
@@ -148,8 +162,6 @@ class Body : public TangentSource {
   /// Blocks all of whose elements lie each within one rigid body become a RigidBlock.
   void wrapRigidBlocks();
   Eigen::VectorXd lumpMass();
-  /// det J of an element at a point with the shape gradients dN, in twice the precision.
-  double wideDeterminant(std::span<const std::int32_t> nodes, const double (*dN)[3]) const;
   /// What a pass writes where it is not nullptr; velocities: of the damping that is part of the force.
   struct Wanted {
     NodeVectors* force = nullptr;

@@ -14,14 +14,11 @@ namespace {
 std::vector<std::int32_t> mortonOrder(const Mesh& mesh, const MeshBlock& block) {
   const std::size_t count = block.elementCount();
   const int n = block.nodesPerElement();
-  const Eigen::Vector3d low = mesh.X.rowwise().minCoeff(), size = mesh.X.rowwise().maxCoeff() - low;
-  const double extent = std::max(size.maxCoeff(), std::numeric_limits<double>::min());
+  const Eigen::Vector3d low = mesh.X.rowwise().minCoeff();
+  const double extent = curveExtent(low, mesh.X.rowwise().maxCoeff());
   std::vector<std::pair<std::uint64_t, std::int32_t>> keyed(count);
-  for (std::size_t e = 0; e < count; ++e) {
-    Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
-    for (int a = 0; a < n; ++a) centroid += mesh.X.col(block.element(e)[a]);
-    keyed[e] = {mortonKey((centroid / n - low) / extent), static_cast<std::int32_t>(e)};
-  }
+  for (std::size_t e = 0; e < count; ++e)
+    keyed[e] = {curveKey(mesh.X, block.element(e), n, low, extent), static_cast<std::int32_t>(e)};
   std::sort(keyed.begin(), keyed.end());
   std::vector<std::int32_t> order(count);
   for (std::size_t e = 0; e < count; ++e) order[e] = keyed[e].second;
@@ -84,16 +81,33 @@ class PatchFiller {
 
 }  // namespace
 
-PatchLayout layOutPatches(std::size_t nodeCount, int nodesPerElement, std::span<const std::int32_t> connectivity,
-                          const std::vector<std::int32_t>& order) {
+std::uint64_t curveKey(const NodeVectors& X, const std::int32_t* nodes, int n, const Eigen::Vector3d& low,
+                       double extent) {
+  Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
+  for (int a = 0; a < n; ++a) centroid += X.col(nodes[a]);
+  return mortonKey((centroid / n - low) / extent);
+}
+
+double curveExtent(const Eigen::Vector3d& low, const Eigen::Vector3d& high) {
+  const Eigen::Vector3d size = high - low;
+  return std::max(size.maxCoeff(), std::numeric_limits<double>::min());
+}
+
+bool takesAnotherBatch(std::int32_t nodesInPatch, int nodesPerElement) {
   // Rows of positions and slots of a patch, 64 bytes a node, are to stay in a first-level cache of 32 to 48 kB.
   constexpr std::int32_t maxNodes = 448;
+  const std::int32_t more = lanes * nodesPerElement;
+  return nodesInPatch + more <= std::max(maxNodes, more);
+}
+
+PatchLayout layOutPatches(std::size_t nodeCount, int nodesPerElement, std::span<const std::int32_t> connectivity,
+                          const std::vector<std::int32_t>& order) {
   const int n = nodesPerElement;
   PatchFiller filler(nodeCount, n, connectivity, order.size());
   std::span<const std::int32_t> left = order;
   while (!left.empty()) {
     filler.beginPatch();
-    while (!left.empty() && filler.nodesInPatch() + lanes * n <= std::max(maxNodes, lanes * n)) {
+    while (!left.empty() && takesAnotherBatch(filler.nodesInPatch(), n)) {
       const std::size_t taken = std::min<std::size_t>(lanes, left.size());
       filler.addBatch(left.first(taken));
       left = left.subspan(taken);
@@ -104,25 +118,43 @@ PatchLayout layOutPatches(std::size_t nodeCount, int nodesPerElement, std::span<
 }
 
 PatchLayout layOutPart(std::size_t nodeCount, int nodesPerElement, std::span<const std::int32_t> connectivity,
-                       const PatchLayout& whole, std::span<const std::int32_t> elements) {
-  std::vector<std::int32_t> partOf(whole.batchOfElement.size(), -1);  // position in the block -> in the part
-  for (std::size_t i = 0; i < elements.size(); ++i) partOf[elements[i]] = static_cast<std::int32_t>(i);
-  PatchFiller filler(nodeCount, nodesPerElement, connectivity, elements.size());
-  std::vector<std::int32_t> own;
-  for (const Patch& patch : whole.patches) {
-    bool begun = false;
-    for (std::int32_t batch = patch.batchBegin; batch < patch.batchEnd; ++batch) {
-      own.clear();
-      for (std::int64_t place = std::int64_t{batch} * lanes; place < (std::int64_t{batch} + 1) * lanes; ++place)
-        if (const std::int32_t e = whole.elements[place]; e >= 0 && partOf[e] >= 0) own.push_back(partOf[e]);
-      if (own.empty()) continue;
-      if (!begun) filler.beginPatch();
-      begun = true;
-      filler.addBatch(own);
+                       std::span<const PatchPlace> places) {
+  std::vector<std::int32_t> order(places.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(),
+            [&](std::int32_t p, std::int32_t q) { return places[p].place < places[q].place; });
+  PatchFiller filler(nodeCount, nodesPerElement, connectivity, places.size());
+  std::span<const std::int32_t> left = order;
+  const auto leading = [&](const auto& belongs) {
+    std::size_t count = 0;
+    while (count < left.size() && belongs(places[left[count]])) ++count;
+    return count;
+  };
+  while (!left.empty()) {
+    const std::int32_t patch = places[left.front()].patch;
+    filler.beginPatch();
+    while (!left.empty() && places[left.front()].patch == patch) {
+      const std::int32_t batch = places[left.front()].place / lanes;
+      const std::size_t taken = leading([&](const PatchPlace& at) { return at.place / lanes == batch; });
+      filler.addBatch(left.first(taken));
+      left = left.subspan(taken);
     }
-    if (begun) filler.endPatch();
+    filler.endPatch();
   }
   return filler.take();
+}
+
+std::vector<PatchPlace> placesOf(const PatchLayout& whole, std::span<const std::int32_t> elements) {
+  std::vector<std::int32_t> patchOfBatch;
+  for (std::size_t p = 0; p < whole.patches.size(); ++p)
+    patchOfBatch.resize(static_cast<std::size_t>(whole.patches[p].batchEnd), static_cast<std::int32_t>(p));
+  std::vector<PatchPlace> places;
+  places.reserve(elements.size());
+  for (const std::int32_t e : elements) {
+    const std::int32_t place = whole.batchOfElement[e];
+    places.push_back({patchOfBatch[place / lanes], place});
+  }
+  return places;
 }
 
 PatchLayout layOutPatches(const Mesh& mesh, const MeshBlock& block) {

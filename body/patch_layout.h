@@ -36,14 +36,28 @@ struct PatchLayout {
 /// The elements in the order given, each named once; connectivity: nodesPerElement node numbers below nodeCount each.
 PatchLayout layOutPatches(std::size_t nodeCount, int nodesPerElement, std::span<const std::int32_t> connectivity,
                           const std::vector<std::int32_t>& order);
+/// Where an element is in the layout of a block.
+struct PatchPlace {
+  std::int32_t patch;  // any number that ascends with the patches of the block
+  std::int32_t place;  // batch * lanes + lane
+};
 /// A part of the elements of a block, laid out as the block is: patches and batches are those of the block without the
 /// elements that are not in the part, so that the sums at a node all of whose elements are in it have the terms and the
-/// order that they have in the whole (Theorem 78, docs/theory/distribution.md). whole: the layout of the block;
-/// elements: those of the part by their positions in the block, each once; connectivity: of the part, nodesPerElement
-/// node numbers below nodeCount each.
+/// order that they have in the whole (Theorem 78, docs/theory/distribution.md). places: of the elements of the part in
+/// the block, each once; connectivity: of the part, nodesPerElement node numbers below nodeCount each.
 PatchLayout layOutPart(std::size_t nodeCount, int nodesPerElement, std::span<const std::int32_t> connectivity,
-                       const PatchLayout& whole, std::span<const std::int32_t> elements);
-/// The elements of a mesh block along a space-filling curve.
+                       std::span<const PatchPlace> places);
+/// The places of some elements of a block, by their positions in it.
+std::vector<PatchPlace> placesOf(const PatchLayout& whole, std::span<const std::int32_t> elements);
+/// The elements of a mesh block along a space-filling curve: ascending by curveKey, equal ones by number.
 PatchLayout layOutPatches(const Mesh& mesh, const MeshBlock& block);
+/// The place of an element of n nodes (positions in X, 3×N, m) along the curve. low: the lowest corner of the mesh, m;
+/// extent: the largest of its three sizes, m, > 0.
+std::uint64_t curveKey(const NodeVectors& X, const std::int32_t* nodes, int n, const Eigen::Vector3d& low,
+                       double extent);
+/// The extent of a mesh between two corners, m, as curveKey takes it.
+double curveExtent(const Eigen::Vector3d& low, const Eigen::Vector3d& high);
+/// Whether a patch that has so many nodes takes another batch of elements; a patch without elements takes one.
+bool takesAnotherBatch(std::int32_t nodesInPatch, int nodesPerElement);
 
 }  // namespace ringwatch

@@ -1,20 +1,20 @@
-# Ranks: on where MPI and Scotch are found, unless told otherwise. Of Scotch's package nothing but header and library is
-# used: it has no file for find_package.
+# Ranks: on where MPI and PT-Scotch are found, unless told otherwise. PT-Scotch is Scotch for MPI, and has Scotch's own
+# functions too. Of its package nothing but header and library is used: it has no file for find_package.
 find_package(MPI QUIET COMPONENTS CXX)
-find_path(RINGWATCH_SCOTCH_INCLUDE scotch.h PATH_SUFFIXES scotch)
-find_library(RINGWATCH_SCOTCH_LIBRARY scotch)
-find_library(RINGWATCH_SCOTCH_ERRORS scotcherr)
-mark_as_advanced(RINGWATCH_SCOTCH_INCLUDE RINGWATCH_SCOTCH_LIBRARY RINGWATCH_SCOTCH_ERRORS)
+find_path(RINGWATCH_PTSCOTCH_INCLUDE ptscotch.h PATH_SUFFIXES scotch)
+find_library(RINGWATCH_PTSCOTCH_LIBRARY ptscotch)
+find_library(RINGWATCH_PTSCOTCH_ERRORS ptscotcherr)
+mark_as_advanced(RINGWATCH_PTSCOTCH_INCLUDE RINGWATCH_PTSCOTCH_LIBRARY RINGWATCH_PTSCOTCH_ERRORS)
 set(ringwatch_mpi_found OFF)
-if(MPI_CXX_FOUND AND RINGWATCH_SCOTCH_INCLUDE AND RINGWATCH_SCOTCH_LIBRARY AND RINGWATCH_SCOTCH_ERRORS)
+if(MPI_CXX_FOUND AND RINGWATCH_PTSCOTCH_INCLUDE AND RINGWATCH_PTSCOTCH_LIBRARY AND RINGWATCH_PTSCOTCH_ERRORS)
   set(ringwatch_mpi_found ON)
 endif()
 set(ringwatch_mpi_default OFF)
 if(PROJECT_IS_TOP_LEVEL)
   set(ringwatch_mpi_default ${ringwatch_mpi_found})
 endif()
-option(RINGWATCH_WITH_MPI "Distribute runs over ranks, by MPI and Scotch" ${ringwatch_mpi_default})
+option(RINGWATCH_WITH_MPI "Distribute runs over ranks, by MPI and PT-Scotch" ${ringwatch_mpi_default})
 if(RINGWATCH_WITH_MPI AND NOT ringwatch_mpi_found)
-  message(FATAL_ERROR "RINGWATCH_WITH_MPI needs MPI and Scotch (Debian: libopenmpi-dev, openmpi-bin, libscotch-dev), which were not found: "
+  message(FATAL_ERROR "RINGWATCH_WITH_MPI needs MPI and PT-Scotch (Debian: libopenmpi-dev, openmpi-bin, libptscotch-dev), which were not found: "
     "install them or configure with -DRINGWATCH_WITH_MPI=OFF")
 endif()

@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include <scotch.h>
+#include <ptscotch.h>
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/meshes/adjacency.h>

@@ -1,14 +1,9 @@
 #include <ringwatch/distributed/rank_body.h>
 
 #include <algorithm>
-#include <map>
-#include <memory>
-#include <set>
 #include <utility>
 
 #include <ringwatch/base/error.h>
-#include <ringwatch/base/sort_unique.h>
-#include <ringwatch/meshes/adjacency.h>
 #include <ringwatch/monitor/energy_balance.h>
 
 namespace ringwatch {
@@ -22,92 +17,56 @@ RankBody::RankBody(const Body& whole, const Partition& partition, int rank, int 
   const Mesh& all = whole.mesh();
   const auto ownerOf = [&](std::int32_t node) { return partition.ofNode[node]; };
 
-  std::vector<std::int32_t> ghosts;
-  std::map<int, std::vector<std::int32_t>> sent;
+  std::vector<MeshBlock> own;
+  std::vector<std::vector<std::int32_t>> elements;
   for (std::size_t b = 0; b < all.blocks.size(); ++b) {
-    std::vector<std::int32_t>& own = globalElements_.emplace_back();
+    MeshBlock& block = own.emplace_back(MeshBlock{all.blocks[b].type, {}, {}});
+    std::vector<std::int32_t>& numbers = elements.emplace_back();
     for (std::int32_t e = 0; e < whole.blocks()[b]->elementCount(); ++e) {
       const auto nodes = whole.blocks()[b]->nodesOf(e);
       if (std::none_of(nodes.begin(), nodes.end(), [&](std::int32_t node) { return ownerOf(node) == rank; })) continue;
-      own.push_back(e);
-      for (const std::int32_t node : nodes) {
-        const int owner = ownerOf(node);
-        if (owner == rank) continue;
-        ghosts.push_back(node);
-        for (const std::int32_t other : nodes)
-          if (ownerOf(other) == rank) sent[owner].push_back(other);
-      }
-    }
-    elements_ += static_cast<std::int64_t>(own.size());
-  }
-  sortUnique(ghosts);
-  std::stable_sort(ghosts.begin(), ghosts.end(),
-                   [&](std::int32_t a, std::int32_t b) { return ownerOf(a) < ownerOf(b); });
-  for (std::int32_t node = 0; node < whole.nodeCount(); ++node)
-    if (ownerOf(node) == rank) globalNodes_.push_back(node);
-  owned_ = static_cast<std::int32_t>(globalNodes_.size());
-  globalNodes_.insert(globalNodes_.end(), ghosts.begin(), ghosts.end());
-  std::vector<std::int32_t> localOf(all.nodeCount(), -1);
-  for (std::size_t i = 0; i < globalNodes_.size(); ++i) localOf[globalNodes_[i]] = static_cast<std::int32_t>(i);
-  for (std::size_t first = owned_; first < globalNodes_.size();) {
-    const int owner = ownerOf(globalNodes_[first]);
-    std::size_t end = first;
-    while (end < globalNodes_.size() && ownerOf(globalNodes_[end]) == owner) ++end;
-    std::vector<std::int32_t>& own = sent[owner];
-    sortUnique(own);
-    for (std::int32_t& node : own) node = localOf[node];
-    neighbours_.push_back(
-        {owner, std::move(own), static_cast<std::int32_t>(first), static_cast<std::int32_t>(end - first)});
-    first = end;
-  }
-
-  Mesh mesh;
-  mesh.X.resize(3, static_cast<Eigen::Index>(globalNodes_.size()));
-  Eigen::VectorXd mass(static_cast<Eigen::Index>(globalNodes_.size()));
-  for (std::size_t i = 0; i < globalNodes_.size(); ++i) {
-    const std::int32_t node = globalNodes_[i];
-    mesh.X.col(static_cast<Eigen::Index>(i)) = all.X.col(node);
-    mass[static_cast<Eigen::Index>(i)] = whole.lumpedMass()[node];
-    mesh.nodeIds.push_back(all.nodeId(node));
-  }
-  for (std::size_t b = 0; b < all.blocks.size(); ++b) {
-    MeshBlock& block = mesh.blocks.emplace_back(MeshBlock{all.blocks[b].type, {}, {}});
-    for (const std::int32_t e : globalElements_[b]) {
+      numbers.push_back(e);
       block.ids.push_back(all.blocks[b].id(e));
-      for (const std::int32_t node : whole.blocks()[b]->nodesOf(e)) block.connectivity.push_back(localOf[node]);
+      block.connectivity.insert(block.connectivity.end(), nodes.begin(), nodes.end());
     }
+  }
+  std::vector<std::int32_t> owned;
+  for (std::int32_t node = 0; node < whole.nodeCount(); ++node)
+    if (ownerOf(node) == rank) owned.push_back(node);
+  RankPart part(rank, std::move(own), std::move(elements), std::move(owned), ownerOf);
+
+  Mesh& mesh = part.mesh;
+  const std::vector<std::int32_t>& nodes = part.globalNodes;
+  mesh.X.resize(3, static_cast<Eigen::Index>(nodes.size()));
+  Eigen::VectorXd mass(static_cast<Eigen::Index>(nodes.size()));
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    mesh.X.col(static_cast<Eigen::Index>(i)) = all.X.col(nodes[i]);
+    mass[static_cast<Eigen::Index>(i)] = whole.lumpedMass()[nodes[i]];
+    mesh.nodeIds.push_back(all.nodeId(nodes[i]));
   }
   // Also where a set is empty here, so that all ranks have the same.
-  for (const auto& [name, nodes] : all.nodeSets) {
-    std::vector<std::int32_t>& own = mesh.nodeSets[name];
-    for (const std::int32_t node : nodes)
-      if (localOf[node] >= 0) own.push_back(localOf[node]);
-    std::sort(own.begin(), own.end());
+  for (const auto& [name, members] : all.nodeSets) {
+    std::vector<std::int32_t>& set = mesh.nodeSets[name];
+    for (const std::int32_t node : members)
+      if (const std::int32_t local = part.localNode(node); local >= 0) set.push_back(local);
+    std::sort(set.begin(), set.end());
   }
-  for (const auto& [name, elements] : all.elementSets) {
-    std::vector<ElementRef>& own = mesh.elementSets[name];
-    for (const ElementRef e : elements) {
-      const std::vector<std::int32_t>& held = globalElements_[e.block];
+  for (const auto& [name, members] : all.elementSets) {
+    std::vector<ElementRef>& set = mesh.elementSets[name];
+    for (const ElementRef e : members) {
+      const std::vector<std::int32_t>& held = part.globalElements[e.block];
       const auto found = std::lower_bound(held.begin(), held.end(), static_cast<std::int32_t>(e.element));
-      if (found != held.end() && *found == e.element) own.push_back({e.block, found - held.begin()});
+      if (found != held.end() && *found == e.element) set.push_back({e.block, found - held.begin()});
     }
   }
-  std::vector<std::unique_ptr<ElementBlock>> blocks;
+  Blocks blocks;
   for (std::size_t b = 0; b < all.blocks.size(); ++b) {
     const ElementBlock& from = *whole.blocks()[b];
     blocks.push_back(makeElementBlock(mesh, mesh.blocks[b], from.material(), from.rule().name, from.hourglassControl(),
                                       layOutPart(mesh.nodeCount(), from.nodesPerElement(), mesh.blocks[b].connectivity,
-                                                 from.layout(), globalElements_[b])));
+                                                 placesOf(from.layout(), part.globalElements[b]))));
   }
-  std::int64_t patches = 0;
-  for (const auto& block : blocks)
-    for (const Patch& patch : block->layout().patches) {
-      const auto begin = block->layout().nodes.begin();
-      const bool owned = std::all_of(begin + patch.nodeBegin, begin + patch.nodeEnd,
-                                     [this](std::int32_t node) { return node < owned_; });
-      (owned ? patchesOfOwned_ : patchesWithGhosts_).push_back(patches++);
-    }
-  body_ = std::make_unique<Body>(std::move(mesh), std::move(blocks), std::move(mass), threads);
+  take(std::move(part), std::move(blocks), std::move(mass), threads);
   for (std::int32_t i = 0; i < body_->nodeCount(); ++i) {
     const std::int32_t node = globalNodes_[i];
     for (int c = 0; c < 3; ++c)
@@ -120,6 +79,29 @@ RankBody::RankBody(const Body& whole, const Partition& partition, int rank, int 
 void RankBody::nameElementsBy(const std::vector<std::vector<std::int32_t>>& numbers) {
   for (std::size_t b = 0; b < globalElements_.size(); ++b)
     for (std::int32_t& element : globalElements_[b]) element = numbers[b][element];
+}
+
+RankBody::RankBody(RankPart part, std::vector<std::unique_ptr<ElementBlock>> blocks, Eigen::VectorXd lumpedMass,
+                   double roundingEnergy, int threads)
+    : roundingEnergy_(roundingEnergy) {
+  for (const MeshBlock& block : part.mesh.blocks) mostNodes_ = std::max(mostNodes_, block.nodesPerElement());
+  take(std::move(part), std::move(blocks), std::move(lumpedMass), threads);
+}
+
+void RankBody::take(RankPart part, Blocks blocks, Eigen::VectorXd mass, int threads) {
+  owned_ = part.ownedNodes;
+  globalNodes_ = std::move(part.globalNodes);
+  globalElements_ = std::move(part.globalElements);
+  neighbours_ = std::move(part.neighbours);
+  std::int64_t patches = 0;
+  for (const auto& block : blocks)
+    for (const Patch& patch : block->layout().patches) {
+      const auto begin = block->layout().nodes.begin();
+      const bool owned = std::all_of(begin + patch.nodeBegin, begin + patch.nodeEnd,
+                                     [this](std::int32_t node) { return node < owned_; });
+      (owned ? patchesOfOwned_ : patchesWithGhosts_).push_back(patches++);
+    }
+  body_ = std::make_unique<Body>(std::move(part.mesh), std::move(blocks), std::move(mass), threads);
 }
 
 }  // namespace ringwatch

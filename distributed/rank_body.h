@@ -1,10 +1,11 @@
 #pragma once
 #include <cstdint>
-#include <span>
+#include <memory>
 #include <vector>
 
 #include <ringwatch/body/body.h>
 #include <ringwatch/distributed/partition.h>
+#include <ringwatch/distributed/rank_part.h>
 
 namespace ringwatch {
 
@@ -16,6 +17,10 @@ class RankBody {
   /// The part of `rank`, with the masses, constraints, dead forces and sets of the whole body, which may go after this.
   /// Throws InputError for what is not distributed: springs and contact, and elements that damp.
   RankBody(const Body& whole, const Partition& partition, int rank, int threads = 0);
+  /// A part of a mesh that no rank has as a whole, without constraints and loads: with a block for each of the part's
+  /// mesh, the lumped mass of each node, kg, ghosts as their owners have them, and the roundingEnergy of the whole, J.
+  RankBody(RankPart part, std::vector<std::unique_ptr<ElementBlock>> blocks, Eigen::VectorXd lumpedMass,
+           double roundingEnergy, int threads = 0);
   /// The body refers to itself.
   RankBody(const RankBody&) = delete;
   RankBody& operator=(const RankBody&) = delete;
@@ -24,10 +29,10 @@ class RankBody {
   const Body& body() const { return *body_; }
   Body& body() { return *body_; }
   std::int32_t ownedNodes() const { return owned_; }
-  std::int32_t ghostNodes() const { return static_cast<std::int32_t>(globalNodes_.size()) - owned_; }
+  std::int32_t ghostNodes() const { return body_->nodeCount() - owned_; }
   /// Nodes of an element of the whole, at most.
   int mostNodesOfAnElement() const { return mostNodes_; }
-  std::int64_t elements() const { return elements_; }
+  std::int64_t elements() const { return body_->elementCount(); }
   /// ringwatch::roundingEnergy of the whole, J.
   double roundingEnergy() const { return roundingEnergy_; }
   /// The number of a node in the whole.
@@ -41,12 +46,7 @@ class RankBody {
   /// Whether this rank counts the element where each is to count once: the one that owns its first node.
   bool counts(ElementRef e) const { return body_->blocks()[e.block]->nodesOf(e.element).front() < owned_; }
 
-  /// Nodes of which another rank has one as owner and the other as ghost.
-  struct Neighbour {
-    int rank;
-    std::vector<std::int32_t> sent;             // owned here, ghosts there, by their numbers in the whole
-    std::int32_t receivedBegin, receivedCount;  // ghosts here, owned there
-  };
+  using Neighbour = RankPart::Neighbour;
   /// By rank.
   const std::vector<Neighbour>& neighbours() const { return neighbours_; }
   /// Patches of the body, counted over all blocks, ascending: those whose nodes are all owned, and those with a ghost.
@@ -54,11 +54,14 @@ class RankBody {
   const std::vector<std::int64_t>& patchesWithGhosts() const { return patchesWithGhosts_; }
 
  private:
+  using Blocks = std::vector<std::unique_ptr<ElementBlock>>;
+  /// Takes the part with its elements and masses.
+  void take(RankPart part, Blocks blocks, Eigen::VectorXd mass, int threads);
+
   std::unique_ptr<Body> body_;  // blocks refer to the mesh's arrays
   std::int32_t owned_ = 0;
   int mostNodes_ = 0;
   double roundingEnergy_ = 0;
-  std::int64_t elements_ = 0;
   std::vector<std::int32_t> globalNodes_;
   std::vector<std::vector<std::int32_t>> globalElements_;  // [block], ascending
   std::vector<Neighbour> neighbours_;

@@ -8,6 +8,7 @@
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/meshes/adjacency.h>
+#include <ringwatch/meshes/check_texts.h>
 #include <ringwatch/meshes/quality.h>
 
 namespace ringwatch {
@@ -76,16 +77,6 @@ std::vector<bool> usedNodes(const Mesh& mesh) {
 
 std::int64_t nodeId(const Mesh& mesh, std::int32_t n) { return n >= 0 ? mesh.nodeId(n) : n; }
 
-/// True when every element of the block is turned the other way round.
-bool isMirrored(const Mesh& mesh, const MeshBlock& block) {
-  const ElementInfo& info = elementInfo(block.type);
-  const JacobianProbe probe(info);
-  for (std::size_t e = 0; e < block.elementCount(); ++e)
-    if (!nodesInRange(mesh, block.element(e), info.nodes) || !(probe.range(mesh.X, block.element(e)).max < 0))
-      return false;
-  return block.elementCount() > 0;
-}
-
 void dropUnusedNodes(Mesh& mesh, const std::string& source, std::vector<std::string>* notes) {
   const std::vector<bool> used = usedNodes(mesh);
   const std::size_t kept = std::count(used.begin(), used.end(), true);
@@ -93,8 +84,7 @@ void dropUnusedNodes(Mesh& mesh, const std::string& source, std::vector<std::str
   if (dropped == 0) return;
   const std::int32_t first = std::find(used.begin(), used.end(), false) - used.begin();
   if (notes != nullptr)
-    notes->push_back(joinText(source, ": ", dropped, " nodes that no element uses are dropped, the first is node ",
-                              nodeId(mesh, first)));
+    notes->push_back(detail::droppedNodesNote(source, static_cast<std::int64_t>(dropped), nodeId(mesh, first)));
   std::vector<std::int32_t> newIndex(used.size(), -1);
   std::vector<std::int64_t> ids;
   ids.reserve(kept);
@@ -127,36 +117,27 @@ CoincidentNodes coincidentNodes(const Mesh& mesh) {
   const std::vector<bool> used = usedNodes(mesh);
   if (mesh.nodeCount() == 0) return found;
   const Eigen::Vector3d low = mesh.X.rowwise().minCoeff();
-  const double diagonal = (mesh.X.rowwise().maxCoeff() - low).norm();
-  const double near = 1e-9 * diagonal;
-  const double cell = 1e-6 * diagonal;  // much smaller than elements, and so large that few nodes lie near its faces
-  if (!(near > 0) || !std::isfinite(diagonal)) return found;
+  const detail::CoincidenceGrid grid(low, mesh.X.rowwise().maxCoeff());
+  if (!grid.exists()) return found;
   std::unordered_map<std::uint64_t, std::int32_t> lastOfCell;
   lastOfCell.reserve(mesh.nodeCount());
   std::vector<std::int32_t> before(mesh.nodeCount(), -1);  // the node of the same cell that was entered before
   for (std::size_t n = 0; n < mesh.nodeCount(); ++n) {
     if (!used[n]) continue;
     const std::int32_t index = n;
-    const Eigen::Vector3d x = mesh.X.col(index) - low;
-    // A node is entered in its own cell and sought in all cells that its neighbourhood touches; cells are numbered from
-    // 1 to 1e6 + 1 along each axis, 21 bits.
-    const auto cellOf = [&](double offset, int k) {
-      return static_cast<std::uint64_t>(std::floor((x[k] + offset) / cell) + 1);
-    };
-    const auto keyOf = [](std::uint64_t i, std::uint64_t j, std::uint64_t k) { return i << 42 | j << 21 | k; };
+    // A node is entered in its own cell and sought in all cells that its neighbourhood touches.
     bool coincides = false;
-    for (std::uint64_t i = cellOf(-near, 0); i <= cellOf(near, 0) && !coincides; ++i)
-      for (std::uint64_t j = cellOf(-near, 1); j <= cellOf(near, 1) && !coincides; ++j)
-        for (std::uint64_t k = cellOf(-near, 2); k <= cellOf(near, 2) && !coincides; ++k) {
-          const auto last = lastOfCell.find(keyOf(i, j, k));
-          for (std::int32_t other = last == lastOfCell.end() ? -1 : last->second; other >= 0 && !coincides;
-               other = before[other]) {
-            coincides = (mesh.X.col(other) - mesh.X.col(index)).norm() <= near;
-            if (coincides && found.count++ == 0) found = {1, other, index};
-          }
-        }
+    grid.forEachCellNear(mesh.X.col(index), [&](std::uint64_t cell) {
+      const auto last = lastOfCell.find(cell);
+      for (std::int32_t other = last == lastOfCell.end() ? -1 : last->second; other >= 0 && !coincides;
+           other = before[other]) {
+        coincides = (mesh.X.col(other) - mesh.X.col(index)).norm() <= grid.near();
+        if (coincides && found.count++ == 0) found = {1, other, index};
+      }
+      return coincides;
+    });
     if (coincides) continue;
-    const auto [entry, isNew] = lastOfCell.try_emplace(keyOf(cellOf(0, 0), cellOf(0, 1), cellOf(0, 2)), index);
+    const auto [entry, isNew] = lastOfCell.try_emplace(grid.cellOf(mesh.X.col(index)), index);
     if (!isNew) before[n] = std::exchange(entry->second, index);
   }
   return found;
@@ -262,30 +243,55 @@ std::vector<std::string> meshNotes(const Mesh& mesh, const std::string& source) 
   std::vector<std::string> notes;
   const MeshParts parts = connectedParts(mesh);
   if (parts.count > 1) {
-    std::vector<std::size_t> sizes(parts.count);
+    std::vector<std::int64_t> sizes(static_cast<std::size_t>(parts.count));
     for (const std::int32_t part : parts.partOfElement) ++sizes[part];
     std::sort(sizes.rbegin(), sizes.rend());
-    constexpr std::size_t shown = 5;
-    std::string list;
-    for (std::size_t i = 0; i < std::min(shown, sizes.size()); ++i) list += joinText(i > 0 ? ", " : "", sizes[i]);
-    notes.push_back(joinText(source, ": the mesh falls into ", parts.count, " parts that share no node, of ", list,
-                             sizes.size() > shown ? ", … elements" : " elements", "; they move independently"));
+    sizes.resize(std::min(detail::shownParts, sizes.size()));
+    notes.push_back(detail::partsNote(source, parts.count, sizes));
   }
   const CoincidentNodes same = coincidentNodes(mesh);
   if (same.count > 0)
-    notes.push_back(joinText(source, ": ", same.count, same.count == 1 ? " node lies" : " nodes lie",
-                             " where another node lies, e.g. nodes ", nodeId(mesh, same.first), " and ",
-                             nodeId(mesh, same.second), "; elements are not joined there"));
+    notes.push_back(detail::coincidenceNote(source, static_cast<std::int64_t>(same.count), nodeId(mesh, same.first),
+                                            nodeId(mesh, same.second)));
   return notes;
 }
 
 void requireSound(Mesh& mesh, const std::string& source, std::vector<std::string>* notes) {
   if (mesh.elementCount() == 0) throw InputError(source + ": there are no elements; a mesh of at least one is needed");
   dropUnusedNodes(mesh, source, notes);
-  const bool all = std::all_of(mesh.blocks.begin(), mesh.blocks.end(),
-                               [&](const MeshBlock& block) { return isMirrored(mesh, block); });
-  for (MeshBlock& block : mesh.blocks) {
-    if (!all && !(elementInfo(block.type).eitherHandedness && isMirrored(mesh, block))) continue;
+  std::vector<bool> mirrored;
+  std::vector<std::int64_t> counts;
+  for (const MeshBlock& block : mesh.blocks) {
+    mirrored.push_back(block.elementCount() > 0 && detail::isMirrored(mesh, block));
+    counts.push_back(static_cast<std::int64_t>(block.elementCount()));
+  }
+  for (std::string& note : detail::turnRound(mesh, mirrored, counts, source))
+    if (notes != nullptr) notes->push_back(std::move(note));
+  const std::vector<MeshProblem> problems = checkMesh(mesh);
+  if (problems.empty()) return;
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < std::min(detail::shownProblems, problems.size()); ++i) texts.push_back(problems[i].text);
+  throw InputError(detail::problemsText(source, static_cast<std::int64_t>(problems.size()), texts));
+}
+
+namespace detail {
+
+bool isMirrored(const Mesh& mesh, const MeshBlock& block) {
+  const ElementInfo& info = elementInfo(block.type);
+  const JacobianProbe probe(info);
+  for (std::size_t e = 0; e < block.elementCount(); ++e)
+    if (!nodesInRange(mesh, block.element(e), info.nodes) || !(probe.range(mesh.X, block.element(e)).max < 0))
+      return false;
+  return true;
+}
+
+std::vector<std::string> turnRound(Mesh& mesh, const std::vector<bool>& mirrored,
+                                   const std::vector<std::int64_t>& counts, const std::string& source) {
+  std::vector<std::string> notes;
+  const bool all = std::find(mirrored.begin(), mirrored.end(), false) == mirrored.end();
+  for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
+    MeshBlock& block = mesh.blocks[b];
+    if (!all && !(elementInfo(block.type).eitherHandedness && mirrored[b])) continue;
     const std::vector<int> mirror = mirrorPermutation(elementInfo(block.type));
     std::vector<std::int32_t> before(mirror.size());
     for (std::size_t e = 0; e < block.elementCount(); ++e) {
@@ -293,20 +299,43 @@ void requireSound(Mesh& mesh, const std::string& source, std::vector<std::string
       std::copy(nodes, nodes + mirror.size(), before.begin());
       for (std::size_t a = 0; a < mirror.size(); ++a) nodes[a] = before[mirror[a]];
     }
-    if (!all && notes != nullptr)
-      notes->push_back(joinText(source, ": all ", block.elementCount(), " ", elementInfo(block.type).name,
-                                " are of the other handedness and were turned round"));
+    if (!all)
+      notes.push_back(joinText(source, ": all ", counts[b], " ", elementInfo(block.type).name,
+                               " are of the other handedness and were turned round"));
   }
-  if (all && notes != nullptr)
-    notes->push_back(
-        joinText(source, ": all ", mesh.elementCount(), " elements are of the other handedness and were turned round"));
-  const std::vector<MeshProblem> problems = checkMesh(mesh);
-  if (problems.empty()) return;
-  constexpr std::size_t shown = 3;
-  std::string text = joinText(source, ": ", problems.size(), problems.size() == 1 ? " problem: " : " problems: ");
-  for (std::size_t i = 0; i < std::min(shown, problems.size()); ++i) text += (i > 0 ? "; " : "") + problems[i].text;
-  if (problems.size() > shown) text += joinText("; … run `ringwatch mesh check --all ", source, "` for all of them");
-  throw InputError(text);
+  if (all)
+    notes.push_back(joinText(source, ": all ", std::accumulate(counts.begin(), counts.end(), std::int64_t{0}),
+                             " elements are of the other handedness and were turned round"));
+  return notes;
 }
+
+std::string droppedNodesNote(const std::string& source, std::int64_t dropped, std::int64_t firstId) {
+  return joinText(source, ": ", dropped, " nodes that no element uses are dropped, the first is node ", firstId);
+}
+
+std::string problemsText(const std::string& source, std::int64_t count, const std::vector<std::string>& texts) {
+  std::string text = joinText(source, ": ", count, count == 1 ? " problem: " : " problems: ");
+  for (std::size_t i = 0; i < texts.size(); ++i) text += (i > 0 ? "; " : "") + texts[i];
+  if (count > static_cast<std::int64_t>(texts.size()))
+    text += joinText("; … run `ringwatch mesh check --all ", source, "` for all of them");
+  return text;
+}
+
+std::string partsNote(const std::string& source, std::int64_t count, const std::vector<std::int64_t>& sizes) {
+  std::string list;
+  for (std::size_t i = 0; i < sizes.size(); ++i) list += joinText(i > 0 ? ", " : "", sizes[i]);
+  return joinText(source, ": the mesh falls into ", count, " parts that share no node, of ", list,
+                  count > static_cast<std::int64_t>(sizes.size()) ? ", … elements" : " elements",
+                  "; they move independently");
+}
+
+std::string coincidenceNote(const std::string& source, std::int64_t count, std::int64_t firstId,
+                            std::int64_t secondId) {
+  return joinText(source, ": ", count, count == 1 ? " node lies" : " nodes lie",
+                  " where another node lies, e.g. nodes ", firstId, " and ", secondId,
+                  "; elements are not joined there");
+}
+
+}  // namespace detail
 
 }  // namespace ringwatch

@@ -173,19 +173,14 @@ ShapeClass tetrahedronClass(const Eigen::Vector3d (&p)[4], double shortest, doub
   return few > 1 ? ShapeClass::needle : ShapeClass::wedge;
 }
 
-struct Measure {
-  const char* name;
-  const char* unit;
-  double ElementQuality::*member;
-};
-constexpr Measure measures[] = {{"volume", "m³", &ElementQuality::volume},
-                                {"min-height", "m", &ElementQuality::minHeight},
-                                {"min-edge", "m", &ElementQuality::minEdge},
-                                {"max-edge", "m", &ElementQuality::maxEdge},
-                                {"scaled-jacobian", "", &ElementQuality::minScaledJacobian},
-                                {"min-dihedral", "°", &ElementQuality::minDihedral},
-                                {"max-dihedral", "°", &ElementQuality::maxDihedral},
-                                {"radius-ratio", "", &ElementQuality::radiusRatio}};
+constexpr QualityMeasure measures[] = {{"volume", "m³", &ElementQuality::volume},
+                                       {"min-height", "m", &ElementQuality::minHeight},
+                                       {"min-edge", "m", &ElementQuality::minEdge},
+                                       {"max-edge", "m", &ElementQuality::maxEdge},
+                                       {"scaled-jacobian", "", &ElementQuality::minScaledJacobian},
+                                       {"min-dihedral", "°", &ElementQuality::minDihedral},
+                                       {"max-dihedral", "°", &ElementQuality::maxDihedral},
+                                       {"radius-ratio", "", &ElementQuality::radiusRatio}};
 
 }  // namespace
 
@@ -255,9 +250,11 @@ std::vector<std::vector<ElementQuality>> meshQuality(const Mesh& mesh, const Nod
   return all;
 }
 
+std::span<const QualityMeasure> qualityMeasures() { return measures; }
+
 std::vector<QualitySummary> summarizeQuality(const std::vector<std::vector<ElementQuality>>& quality) {
   std::vector<QualitySummary> summaries;
-  for (const Measure& m : measures) {
+  for (const QualityMeasure& m : measures) {
     QualitySummary s{m.name, m.unit, 0, 0, 0, 0, {}, {}};
     for (std::size_t b = 0; b < quality.size(); ++b)
       for (std::size_t e = 0; e < quality[b].size(); ++e) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <limits>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -103,6 +104,14 @@ struct QualitySummary {
   double min = 0, max = 0, mean = 0;
   ElementRef minElement, maxElement;
 };
+
+struct QualityMeasure {
+  const char* name;
+  const char* unit;
+  double ElementQuality::*member;
+};
+/// All measures, in the order of `ElementQuality`.
+std::span<const QualityMeasure> qualityMeasures();
 
 /// A summary of every measure that at least one element has, in the order of `ElementQuality`.
 std::vector<QualitySummary> summarizeQuality(const std::vector<std::vector<ElementQuality>>& quality);

@@ -23,11 +23,15 @@ double dot(const NodeVectors& a, const NodeVectors& b, int threads) {
 
 }  // namespace
 
-double roundingEnergy(const Body& body) {
+double roundingEnergy(double modulus, double volume) {
   constexpr double strain = 1e-12;
+  return strain * strain * modulus * volume;
+}
+
+double roundingEnergy(const Body& body) {
   double modulus = 0;
   for (const auto& block : body.blocks()) modulus = std::max(modulus, block->material().restModulus());
-  return strain * strain * modulus * body.volume();
+  return roundingEnergy(modulus, body.volume());
 }
 
 void EnergyBalance::record(const NodeVectors& x, const NodeVectors& internalForce) {

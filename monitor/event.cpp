@@ -29,10 +29,12 @@ std::string whatHappened(const MonitorEvent& event) {
 
 }  // namespace
 
-std::string elementText(const Mesh& mesh, ElementRef ref) {
+std::string elementText(const Mesh& mesh, ElementRef ref) { return elementText(mesh, ref, ref.element); }
+
+std::string elementText(const Mesh& mesh, ElementRef ref, std::int32_t number) {
   const MeshBlock& block = mesh.blocks[ref.block];
   const std::size_t e = ref.element;
-  std::string text = joinText(elementInfo(block.type).name, " element ", ref.block, ":", ref.element, " (file number ",
+  std::string text = joinText(elementInfo(block.type).name, " element ", ref.block, ":", number, " (file number ",
                               block.id(e), "), nodes");
   for (int a = 0; a < block.nodesPerElement(); ++a) text += joinText(" ", mesh.nodeId(block.element(e)[a]));
   return text;

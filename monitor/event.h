@@ -48,6 +48,8 @@ struct MonitorEvent {
 
 /// "tet4 element 0:5 (file number 6), nodes 1 2 3 4": block and element from 0, the rest as numbered in the file.
 std::string elementText(const Mesh& mesh, ElementRef element);
+/// The same of a mesh that is a part of another one, in which the element has that number in its block.
+std::string elementText(const Mesh& part, ElementRef element, std::int32_t number);
 
 /// An event of the mesh in one line: "step 12, t = 0.06 s: violated: h = …, tet4 element 0:5 …: stretched 1.6".
 std::string eventText(const MonitorEvent& event, const Mesh& mesh);

@@ -726,7 +726,7 @@ struct AdviseCommand {
 struct MeshCommand {
   std::string kind, output, input, target, checked;
   std::map<std::string, std::vector<std::string>> parameters;  // of generators, as given
-  bool allProblems = false;
+  bool allProblems = false, binary = false;
   CLI::App *generate = nullptr, *convert = nullptr, *check = nullptr;
 
   void declare(CLI::App& app) {
@@ -740,6 +740,10 @@ struct MeshCommand {
         ->type_name("FILE");
     for (const SceneKey& key : generatorSceneKeys())
       generate->add_option("--" + key.key, parameters[key.key], key.help)->expected(1, 3)->delimiter(',');
+    const auto declareBinary = [this](CLI::App& writing) {
+      writing.add_flag("--binary", binary, "write .msh in binary (4.1), which ranks read in parts; without it as text");
+    };
+    declareBinary(*generate);
     generate->footer(
         fmt::format("Kinds: {}. Lists are written as --size 0.2 0.04 0.04 or --size 0.2,0.04,0.04.\n",
                     fmt::join(generatorNames(), ", ")) +
@@ -748,6 +752,7 @@ struct MeshCommand {
     convert = command->add_subcommand("convert", "read a mesh and write it in another format");
     convert->add_option("IN", input, "mesh file: " + readableExtensions())->required()->type_name("MESH");
     convert->add_option("OUT", target, "mesh file to write: " + writableExtensions())->required()->type_name("FILE");
+    declareBinary(*convert);
     check = command->add_subcommand("check", "list what is wrong with a mesh; exit status 1 when there is something");
     check->add_option("MESH", checked, "mesh file: " + readableExtensions())->required()->type_name("MESH");
     check->add_flag("--all", allProblems, "list every problem, not the first ten");
@@ -775,9 +780,15 @@ struct MeshCommand {
       if (!fault.empty()) throw InputError(fmt::format("--{}: {}", name, fault));
     }
     const Mesh mesh = generateMesh(kind, generatorArguments(values));
-    writeMesh(mesh, output);
+    write(mesh, output);
     printOut(fmt::format("{}: {} nodes, {}\n", output, mesh.nodeCount(), elementCounts(mesh)));
     return ExitStatus::done;
+  }
+
+  void write(const Mesh& mesh, const std::string& file) const {
+    if (binary && !file.ends_with(".msh"))
+      throw InputError(fmt::format("--binary: {} is not an .msh file; leave it out, or name one", file));
+    writeMesh(mesh, file, binary ? MeshFormat::msh41Binary : MeshFormat::byExtension);
   }
 
   static nlohmann::ordered_json numberOrText(const std::string& text) {
@@ -791,7 +802,7 @@ struct MeshCommand {
   ExitStatus executeConvert() const {
     std::vector<std::string> notes;
     const Mesh mesh = readMesh(input, &notes);
-    writeMesh(mesh, target);
+    write(mesh, target);
     for (const std::string& note : notes) printOut("note: " + note + "\n");
     printOut(fmt::format("{}: {} nodes, {}\n", target, mesh.nodeCount(), elementCounts(mesh)));
     return ExitStatus::done;

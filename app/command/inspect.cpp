@@ -178,6 +178,27 @@ Subject subjectOfDeck(const InspectOptions& options) {
           std::move(notes)};
 }
 
+/// Of a mesh file without a scene. Throws before a large mesh is read.
+Scene sceneOfMeshFile(const InspectOptions& options) {
+  Scene scene;
+  const LawInfo& law = lawNamed(options.model.value_or(std::string(InspectOptions::usualModel)));
+  const auto required = [](std::string_view name) {
+    return InputError(fmt::format("--{} is required with a mesh file; see ringwatch inspect --help", name));
+  };
+  for (const OptionInfo& parameter : law.parameters)
+    if (parameter.fallback.empty() && !options.parameters.find(parameter.name)) throw required(parameter.name);
+  if (!options.density) throw required("density");
+  scene.materials.emplace_back().model = InspectOptions::usualModel;
+  scene.method = InspectOptions::usualIntegrator;
+  scene.lumping = InspectOptions::usualLumping;
+  scene.meshOrigin = options.mesh.string();
+  override(scene, options);
+  integratorNamed(scene.method);
+  const SceneMaterial& material = scene.materials.front();
+  makeMaterial(material.model, material.parameters, material.density);
+  return scene;
+}
+
 Subject subjectOf(const InspectOptions& options) {
   std::error_code error;
   const bool folder = std::filesystem::is_directory(options.mesh, error);
@@ -194,22 +215,8 @@ Subject subjectOf(const InspectOptions& options) {
   if (folder) return subjectOfRun(options);
   const bool ownLaw = options.parameters.begin() != options.parameters.end();
   if (!ownLaw && !options.displacement && isDeckFile(options.mesh)) return subjectOfDeck(options);
-  Scene scene;
-  const LawInfo& law = lawNamed(options.model.value_or(std::string(InspectOptions::usualModel)));
-  const auto required = [](std::string_view name) {
-    return InputError(fmt::format("--{} is required with a mesh file; see ringwatch inspect --help", name));
-  };
-  for (const OptionInfo& parameter : law.parameters)
-    if (parameter.fallback.empty() && !options.parameters.find(parameter.name)) throw required(parameter.name);
-  if (!options.density) throw required("density");
-  scene.materials.emplace_back().model = InspectOptions::usualModel;
-  scene.method = InspectOptions::usualIntegrator;
-  scene.lumping = InspectOptions::usualLumping;
-  scene.meshOrigin = options.mesh.string();
-  override(scene, options);
+  const Scene scene = sceneOfMeshFile(options);
   const IntegratorInfo& integrator = integratorNamed(scene.method);
-  const SceneMaterial& material = scene.materials.front();
-  makeMaterial(material.model, material.parameters, material.density);  // throws before a large mesh is read
   std::vector<std::string> notes;
   MeshState state;
   if (options.displacement) {
@@ -230,23 +237,36 @@ Subject subjectOf(const InspectOptions& options) {
           std::move(notes)};
 }
 
-Json setsJson(const Mesh& mesh) {
+Json setsJson(const MeshFigures& figures) {
   Json nodes = Json::object(), elements = Json::object();
-  for (const auto& [name, set] : mesh.nodeSets) nodes[name] = set.size();
-  for (const auto& [name, set] : mesh.elementSets) elements[name] = set.size();
+  for (const auto& [name, count] : figures.nodeSets) nodes[name] = count;
+  for (const auto& [name, count] : figures.elementSets) elements[name] = count;
   return Json{{"node_sets", std::move(nodes)}, {"element_sets", std::move(elements)}};
 }
 
-std::string setsText(const Mesh& mesh) {
-  const Json sets = setsJson(mesh);
+std::string setsText(const MeshFigures& figures) {
   std::string text;
-  for (const auto& [key, what] : {std::pair{"node_sets", "node sets"}, {"element_sets", "element sets"}}) {
+  for (const auto& [sets, what] : {std::pair{&figures.nodeSets, "node sets"}, {&figures.elementSets, "element sets"}}) {
     std::string list;
-    for (const auto& [name, count] : sets[key].items())
-      list += fmt::format("{}{} ({})", list.empty() ? "" : ", ", name, count.get<std::size_t>());
+    for (const auto& [name, count] : *sets) list += fmt::format("{}{} ({})", list.empty() ? "" : ", ", name, count);
     text += fmt::format("  {:<13} {}\n", what, list.empty() ? "none" : list);
   }
   return text;
+}
+
+MeshFigures figuresOf(const Subject& subject, const std::vector<std::vector<ElementQuality>>& quality) {
+  const Mesh& mesh = subject.body.mesh();
+  MeshFigures figures{.nodes = static_cast<std::int64_t>(mesh.nodeCount()),
+                      .elements = countElements(mesh),
+                      .nodeSets = {},
+                      .elementSets = {},
+                      .volume = subject.body.volume(),
+                      .mass = subject.body.totalMass(),
+                      .quality = summarizeQuality(quality),
+                      .notes = subject.notes};
+  for (const auto& [name, set] : mesh.nodeSets) figures.nodeSets[name] = static_cast<std::int64_t>(set.size());
+  for (const auto& [name, set] : mesh.elementSets) figures.elementSets[name] = static_cast<std::int64_t>(set.size());
+  return figures;
 }
 
 std::string qualityText(const std::vector<QualitySummary>& summaries) {
@@ -458,22 +478,34 @@ void checkOptions(const InspectOptions& options) {
   if (options.picture) checkPictureName(*options.picture);
 }
 
-void reportMesh(const Subject& subject, const InspectOptions& options,
-                const std::vector<std::vector<ElementQuality>>& quality, InspectResult& result) {
-  const Body& body = subject.body;
-  const Mesh& mesh = body.mesh();
-  const std::vector<QualitySummary> summaries = summarizeQuality(quality);
+void reportMesh(const MeshFigures& figures, const Json& state, const InspectOptions& options, InspectResult& result) {
   Json& json = result.json;
-  json["mesh"] = meshJson(mesh, body.volume());
-  json["mesh"].update(setsJson(mesh));
-  json["mass"] = body.totalMass();
-  json["state"] = subject.stateJson;
+  json["mesh"] = meshJson(figures.nodes, figures.elements, figures.volume);
+  json["mesh"].update(setsJson(figures));
+  json["mass"] = figures.mass;
+  json["state"] = state;
   result.text = fmt::format("{}: {} nodes, {}\n  volume {:.10g} m3, mass {:.10g} kg\n", options.mesh.string(),
-                            mesh.nodeCount(), elementCounts(mesh), body.volume(), body.totalMass());
-  result.text += setsText(mesh);
-  for (const std::string& note : subject.notes) result.text += fmt::format("  note: {}\n", note);
-  json["quality"] = qualityJson(summaries);
-  result.text += qualityText(summaries);
+                            figures.nodes, elementCounts(figures.elements), figures.volume, figures.mass);
+  result.text += setsText(figures);
+  for (const std::string& note : figures.notes) result.text += fmt::format("  note: {}\n", note);
+  json["quality"] = qualityJson(figures.quality);
+  result.text += qualityText(figures.quality);
+}
+
+/// The first line about a critical step: of which state of what.
+std::string headOfBracket(const std::string& state, const std::string& model, const IntegratorInfo& integrator,
+                          bool damped) {
+  return fmt::format("critical step {}: {}, {}, limit h omega = {:.6g}{}\n", state, model, integrator.name,
+                     integrator.imaginaryLimit, damped ? ", damped" : "");
+}
+
+/// Both sides, the safe one first; between: what is told between them.
+void reportSides(const CriticalStep& step, const std::string& between, InspectResult& result) {
+  result.json["critical_step"] = Json{{"safe", step.safe}, {"optimistic", step.optimistic}};
+  result.text += fmt::format("  safe        {:.10g} s   proven stable up to here, by {}\n", step.safe, step.safeBy);
+  result.text += between;
+  result.text +=
+      fmt::format("  optimistic  {:.10g} s   proven unstable above, by {}\n", step.optimistic, step.optimisticBy);
 }
 
 CriticalStep reportBracket(const Subject& subject, const InspectOptions& options, InspectResult& result) {
@@ -488,19 +520,16 @@ CriticalStep reportBracket(const Subject& subject, const InspectOptions& options
                   progress.announce(fmt::format("critical step: proven so far {:.6g} to {:.6g} s", safe, optimistic));
                 });
   progress.clear();
-  Json& json = result.json["critical_step"];
   std::string& text = result.text;
-  json = Json{{"safe", step.safe}, {"optimistic", step.optimistic}};
-  text += fmt::format("critical step {}: {}, {}, limit h omega = {:.6g}{}\n", subject.state, subject.model,
-                      subject.integrator->name, subject.integrator->imaginaryLimit, subject.damped ? ", damped" : "");
-  text += fmt::format("  safe        {:.10g} s   proven stable up to here, by {}\n", step.safe, step.safeBy);
-  if (step.probable) {
-    json["probable"] = Json{{"safe", step.probable->safe}, {"eta", step.probable->eta}};
-    text +=
+  text += headOfBracket(subject.state, subject.model, *subject.integrator, subject.damped);
+  std::string probable;
+  if (step.probable)
+    probable =
         fmt::format("  probable    {:.10g} s   stable up to here with probability 1 - {:.3g}, {} tangent products\n",
                     step.probable->safe, step.probable->eta, step.probable->products);
-  }
-  text += fmt::format("  optimistic  {:.10g} s   proven unstable above, by {}\n", step.optimistic, step.optimisticBy);
+  reportSides(step, probable, result);
+  if (step.probable)
+    result.json["critical_step"]["probable"] = Json{{"safe", step.probable->safe}, {"eta", step.probable->eta}};
   if (step.lowestRing < 0)
     text +=
         fmt::format("  the tangent is indefinite, eigenvalue {:.6g} rad2/s2: no step cures that\n", step.lowestRing);
@@ -528,11 +557,12 @@ std::optional<double> reportGlobalStep(const Subject& subject, const InspectOpti
   return step;
 }
 
-void reportControllingElement(const Mesh& mesh, ElementRef element, const ElementQuality& q, InspectResult& result) {
-  result.json["controlling_element"] = elementJson(mesh, element);
+void reportControllingElement(const ElementFigures& element, InspectResult& result) {
+  const ElementQuality& q = element.quality;
+  result.json["controlling_element"] = element.json;
   result.text +=
       fmt::format("controlling element: {}\n  volume {:.5g} m3, least height {:.5g} m, edges {:.5g} to {:.5g} m",
-                  elementText(mesh, element), q.volume, q.minHeight, q.minEdge, q.maxEdge);
+                  element.text, q.volume, q.minHeight, q.minEdge, q.maxEdge);
   if (!std::isnan(q.minDihedral))
     result.text += fmt::format(", dihedral angles {:.4g} to {:.4g} degrees", q.minDihedral, q.maxDihedral);
   result.text += "\n";
@@ -610,7 +640,7 @@ InspectResult inspectMesh(const InspectOptions& options) {
   const auto quality = meshQuality(subject.body.mesh());
 
   InspectResult result;
-  reportMesh(subject, options, quality, result);
+  reportMesh(figuresOf(subject, quality), subject.stateJson, options, result);
   const CriticalStep step = reportBracket(subject, options, result);
   std::optional<double> globalStep;
   if (options.global) globalStep = reportGlobalStep(subject, options, result);
@@ -626,8 +656,10 @@ InspectResult inspectMesh(const InspectOptions& options) {
     }));
   }
   if (!metrics.empty()) reportMetrics(metrics, subject.rule, globalStep, result.json["critical_step"], result.text);
-  reportControllingElement(subject.body.mesh(), step.controlling,
-                           quality[step.controlling.block][step.controlling.element], result);
+  reportControllingElement(
+      {elementJson(subject.body.mesh(), step.controlling), elementText(subject.body.mesh(), step.controlling),
+       quality[step.controlling.block][step.controlling.element]},
+      result);
   if (options.step) reportStep(subject, metrics, step, *options.step, result);
   if (options.prove) sides = reportProof(subject, *options.prove, result);
   if (options.distribution || options.picture) reportDistribution(subject, metrics, step, options, result);
@@ -637,6 +669,19 @@ InspectResult inspectMesh(const InspectOptions& options) {
   if (options.page)
     options.page({options.mesh.filename().string(), subject.state, subject.body, subject.x, *subject.integrator,
                   subject.rule, subject.damped, step, metrics, options.step, result.json, subject.notes});
+  return result;
+}
+
+InspectResult inspectParts(const InspectOptions& options, InspectedParts& parts) {
+  checkOptions(options);
+  const Scene scene = sceneOfMeshFile(options);
+  const IntegratorInfo& integrator = integratorNamed(scene.method);
+  InspectResult result;
+  reportMesh(parts.read(scene), "rest", options, result);
+  const CriticalStep step = parts.bracket(StepRule(integrator.imaginaryLimit));
+  result.text += headOfBracket("at rest", modelsText(scene.materials), integrator, false);
+  reportSides(step, "", result);
+  reportControllingElement(parts.element(step.controlling), result);
   return result;
 }
 

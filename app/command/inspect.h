@@ -1,6 +1,8 @@
 #pragma once
+#include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,7 +10,10 @@
 #include <nlohmann/json.hpp>
 
 #include <ringwatch/app/command/exit_status.h>
+#include <ringwatch/app/output/report.h>
+#include <ringwatch/app/scene/scene.h>
 #include <ringwatch/body/body.h>
+#include <ringwatch/meshes/quality.h>
 #include <ringwatch/monitor/bounds/global_frequency.h>
 #include <ringwatch/monitor/bounds/range_bound.h>
 #include <ringwatch/monitor/critical_step.h>
@@ -78,5 +83,36 @@ struct InspectResult {
 /// Reads a mesh and reports on the steps it can take at rest or in a deformed state: bracket, metrics, controlling
 /// element, quality at rest, named sets. Throws InputError for bad input, an integrator without a stable step included.
 InspectResult inspectMesh(const InspectOptions& options);
+
+/// What an inspection says of a mesh.
+struct MeshFigures {
+  std::int64_t nodes = 0;
+  ElementCounts elements;
+  std::map<std::string, std::int64_t> nodeSets, elementSets;  // members
+  double volume = 0, mass = 0;                                // m³, kg
+  std::vector<QualitySummary> quality;
+  std::vector<std::string> notes;
+};
+/// What it says of an element.
+struct ElementFigures {
+  nlohmann::ordered_json json;  // as elementJson
+  std::string text;             // as elementText
+  ElementQuality quality;
+};
+
+/// A mesh at rest that no process has as a whole, with one material.
+class InspectedParts {
+ public:
+  /// Reads it; scene: material, lumping, quadrature rules and supports.
+  virtual MeshFigures read(const Scene& scene) = 0;
+  /// The bracket of the critical step; after read(), as the next one.
+  virtual CriticalStep bracket(const StepRule& rule) = 0;
+  virtual ElementFigures element(ElementRef element) = 0;
+
+ protected:
+  ~InspectedParts() = default;
+};
+/// inspectMesh() of a mesh in parts: mesh figures, bracket and controlling element.
+InspectResult inspectParts(const InspectOptions& options, InspectedParts& parts);
 
 }  // namespace ringwatch

@@ -227,13 +227,26 @@ std::string_view programVersion() { return RINGWATCH_VERSION; }
 
 Json numberOrNull(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
-Json meshJson(const Mesh& mesh, double volume) {
-  Json elements = Json::object();
+ElementCounts countElements(const Mesh& mesh) {
+  ElementCounts counts;
   for (const MeshBlock& block : mesh.blocks) {
     const std::string name(elementInfo(block.type).name);
-    elements[name] = elements.value(name, std::size_t{0}) + block.elementCount();
+    const auto known =
+        std::find_if(counts.begin(), counts.end(), [&](const auto& other) { return other.first == name; });
+    auto& entry = known != counts.end() ? *known : counts.emplace_back(name, 0);
+    entry.second += static_cast<std::int64_t>(block.elementCount());
   }
-  return Json{{"nodes", mesh.nodeCount()}, {"elements", std::move(elements)}, {"volume", volume}};
+  return counts;
+}
+
+Json meshJson(std::int64_t nodes, const ElementCounts& elements, double volume) {
+  Json byType = Json::object();
+  for (const auto& [name, count] : elements) byType[name] = count;
+  return Json{{"nodes", nodes}, {"elements", std::move(byType)}, {"volume", volume}};
+}
+
+Json meshJson(const Mesh& mesh, double volume) {
+  return meshJson(static_cast<std::int64_t>(mesh.nodeCount()), countElements(mesh), volume);
 }
 
 Json elementJson(const Mesh& mesh, ElementRef ref) {
@@ -255,13 +268,13 @@ Json elementJson(const Mesh& mesh, const std::optional<ElementRef>& ref) {
   return ref ? elementJson(mesh, *ref) : Json(nullptr);
 }
 
-std::string elementCounts(const Mesh& mesh) {
+std::string elementCounts(const ElementCounts& elements) {
   std::string text;
-  const Json counts = meshJson(mesh, 0)["elements"];
-  for (const auto& [name, count] : counts.items())
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count.get<std::size_t>(), name);
+  for (const auto& [name, count] : elements) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, name);
   return text;
 }
+
+std::string elementCounts(const Mesh& mesh) { return elementCounts(countElements(mesh)); }
 
 Json summaryJson(const Scene& scene, const Body& body, const RunResult& result) {
   Json events = Json::array();

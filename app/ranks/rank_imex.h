@@ -12,7 +12,7 @@ namespace ringwatch {
 
 /// The handler imex of a run on ranks, with nonlinear equations. Clusters of handled elements are chosen once, on the
 /// whole body, and each is solved by one rank, which owns all of its nodes: positions are those of one process, to the
-/// last bit, for any number of ranks (Theorem 95, docs/theory/distribution.md).
+/// last bit, for any number of ranks (Theorem 96, docs/theory/distribution.md).
 class RankImex final : public RankHandler {
  public:
   /// Chooses at rest for steps of h seconds. The whole body must live until begin(). Throws InputError where the

@@ -1,17 +1,30 @@
 #include <ringwatch/app/ranks/rank_inspect.h>
 
+#include <algorithm>
+#include <memory>
+#include <new>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
+#include <ringwatch/app/output/report.h>
+#include <ringwatch/app/ranks/msh_share.h>
+#include <ringwatch/app/ranks/part_checks.h>
 #include <ringwatch/app/ranks/rank_threads.h>
 #include <ringwatch/app/ranks/together.h>
+#include <ringwatch/distributed/element_cut.h>
+#include <ringwatch/distributed/element_order.h>
+#include <ringwatch/distributed/exchange.h>
 #include <ringwatch/distributed/halo.h>
 #include <ringwatch/distributed/rank_body.h>
 #include <ringwatch/distributed/rank_frequency.h>
 #include <ringwatch/distributed/rank_monitor.h>
+#include <ringwatch/meshes/formats/msh_outline.h>
+#include <ringwatch/monitor/energy_balance.h>
+#include <ringwatch/monitor/event.h>
 
 namespace ringwatch {
 namespace {
@@ -33,25 +46,195 @@ void requireDistributable(const InspectOptions& options) {
           "{}: is not distributed over ranks; leave it out, or inspect with one process, without mpirun", option));
 }
 
-CriticalStep bracketOnRanks(Ranks& ranks, const RankBody& part, const NodeVectors& x, const StepRule& rule) {
+/// x: of the part, 3×N, m.
+CriticalStep bracketOnRanks(Ranks& ranks, const RankBody& part, NodeVectorsView x, const StepRule& rule) {
   Halo halo(ranks, part);
   std::optional<RankMonitor> monitor;
   together(ranks, [&] { monitor.emplace(ranks, halo, part, RankMonitorOptions{.limit = rule}); });
-  const NodeVectors own = x(Eigen::all, part.globalNodes());
-  const CriticalStep step = monitor->bracketFromScratch(own);
+  const CriticalStep step = monitor->bracketFromScratch(x);
   together(ranks, [&] {
     if (!step.isBracket()) throw NumericalError("the tangent is not finite");
   });
   return step;
 }
 
+/// A mesh of which each rank has read a share and holds a part.
+class MeshInParts final : public InspectedParts {
+ public:
+  MeshInParts(Ranks& ranks, const InspectOptions& options) : ranks_(ranks), options_(options) {}
+
+  MeshFigures read(const Scene& scene) override {
+    const std::string source = options_.mesh.string();
+    MeshFigures figures;
+    RankPart part;
+    MeshBox box;
+    {
+      MshShare file = readMshShare(ranks_, options_.mesh);
+      figures.notes = std::move(file.notes);
+      for (std::size_t b = 0; b < file.share.blocks.size(); ++b)
+        figures.elements.emplace_back(elementInfo(file.share.blocks[b].type).name, file.elementCounts[b]);
+      for (const SetNames::Run& run : file.share.sets.ofElements)
+        for (const std::string& name : run.sets) figures.elementSets[name] += run.count;
+      SharedMesh shared = shareMesh(ranks_, std::move(file.share));
+      figures.nodes = shared.nodeCount();
+      const auto add = [&](std::vector<std::string> notes) {
+        for (std::string& note : notes) figures.notes.push_back(std::move(note));
+      };
+      add(mendShared(ranks_, shared, file.elementCounts, source));
+      box = boxOf(ranks_, shared.X);
+      std::vector<NumberedElements> pieces = orderElements(ranks_, shared, box.low, box.high);
+      const std::vector<std::vector<std::int32_t>> cut = cutElements(ranks_, shared, pieces);
+      part = gatherPart(ranks_, std::move(shared), std::move(pieces), cut);
+      requireSoundPart(ranks_, part, source);
+      add(partNotes(ranks_, part, box, source));
+    }
+    for (const auto& [name, nodes] : part.mesh.nodeSets) figures.nodeSets[name] = sumOver(ranks_, ownedOf(part, nodes));
+    figures.quality = qualityOfParts(ranks_, part);
+    makeBody(scene, std::move(part), figures);
+    hold(scene, box);
+    return figures;
+  }
+
+  CriticalStep bracket(const StepRule& rule) override {
+    return bracketOnRanks(ranks_, *body_, body_->body().mesh().X, rule);
+  }
+
+  ElementFigures element(ElementRef element) override {
+    const Mesh& mesh = body_->body().mesh();
+    ElementFigures figures;
+    std::optional<ElementRef> local;
+    for (std::size_t e = 0; e < mesh.blocks[element.block].elementCount() && !local; ++e)
+      if (const ElementRef own(element.block, e); body_->globalElement(own) == element && body_->counts(own))
+        local = own;
+    const auto from = static_cast<int>(ranks_.least(local ? ranks_.rank() : ranks_.size()));
+    std::string json;
+    if (local) {
+      figures.json = elementJson(mesh, *local);
+      figures.json["index"] = element.element;
+      for (auto& node : figures.json["nodes"]) node = body_->globalNode(node.get<std::int32_t>());
+      json = figures.json.dump();
+      figures.text = elementText(mesh, *local, element.element);
+      figures.quality = elementQuality(mesh.blocks[element.block], local->element, mesh.X);
+    }
+    figures.json = nlohmann::ordered_json::parse(ranks_.shareText(std::move(json), from));
+    figures.text = ranks_.shareText(std::move(figures.text), from);
+    ranks_.share(&figures.quality, sizeof figures.quality, from);
+    return figures;
+  }
+
+ private:
+  static std::int64_t ownedOf(const RankPart& part, const std::vector<std::int32_t>& nodes) {
+    return std::count_if(nodes.begin(), nodes.end(), [&](std::int32_t node) { return node < part.ownedNodes; });
+  }
+
+  /// The body of the part; volume and mass of the whole.
+  void makeBody(const Scene& scene, RankPart part, MeshFigures& figures) {
+    std::optional<Material> material;
+    std::vector<std::unique_ptr<ElementBlock>> blocks;
+    Eigen::VectorXd masses;
+    std::vector<ExactSum> sums(1 + part.mesh.blocks.size());  // mass of the nodes, and of the elements of each block
+    together(ranks_, [&] {
+      const SceneMaterial& chosen = scene.materials.front();
+      material = makeMaterial(chosen.model, chosen.parameters, chosen.density);
+      for (std::size_t b = 0; b < part.mesh.blocks.size(); ++b) {
+        const MeshBlock& block = part.mesh.blocks[b];
+        const auto rule = scene.rules.find(std::string(elementInfo(block.type).name));
+        blocks.push_back(makeElementBlock(
+            part.mesh, block, *material, rule == scene.rules.end() ? "" : rule->second, scene.hourglassControl,
+            layOutPart(part.mesh.nodeCount(), block.nodesPerElement(), block.connectivity, part.places[b])));
+        part.places[b] = {};
+      }
+      masses = lumpedMass(part.mesh, blocks, scene.lumping).ofNode;
+      double mass[maxElementNodes];
+      for (std::size_t b = 0; b < blocks.size(); ++b)
+        for (std::int32_t e = 0; e < blocks[b]->elementCount(); ++e) {
+          if (!part.counts({b, e})) continue;
+          elementLumpedMass(part.mesh, *blocks[b], scene.lumping, e, mass);
+          for (int a = 0; a < blocks[b]->nodesPerElement(); ++a) sums[1 + b].add(mass[a]);
+        }
+    });
+    copyToGhosts(ranks_, part, masses.data(), 1);  // theirs lack elements
+    for (std::int32_t i = 0; i < part.ownedNodes; ++i) sums[0].add(masses[i]);
+    ranks_.sum(sums);
+    figures.mass = sums[0].value();
+    for (std::size_t b = 1; b < sums.size(); ++b) figures.volume += sums[b].value() / material->density;
+    together(ranks_, [&] {
+      const int threads = threadsOfRank(ranks_, options_.threads, part.mesh);
+      body_.emplace(std::move(part), std::move(blocks), std::move(masses),
+                    roundingEnergy(material->restModulus(), figures.volume), threads);
+    });
+  }
+
+  /// Holds the nodes of --fix.
+  void hold(const Scene& scene, const MeshBox& box) {
+    Body& body = body_->body();
+    for (const Scene::Fix& fix : scene.fixes) {
+      std::vector<std::int32_t> nodes;
+      std::vector<std::int64_t> numbers;
+      together(ranks_, [&] {
+        nodes = fix.nodes.nodesIn(body.mesh());
+        numbers = fix.nodes.numbers();
+      });
+      std::int64_t owned = 0;
+      std::vector<std::int64_t> found;
+      for (const std::int32_t node : nodes) {
+        if (node >= body_->ownedNodes()) continue;
+        ++owned;
+        if (!numbers.empty()) found.push_back(body.mesh().nodeId(node));
+      }
+      owned = sumOver(ranks_, owned);
+      found = gatherAll(ranks_, found);
+      std::sort(found.begin(), found.end());
+      for (const std::int64_t number : numbers)
+        if (!std::binary_search(found.begin(), found.end(), number)) throw fix.nodes.noSuchNode(number);
+      fix.nodes.requireSome(owned, box.low, box.high);
+      for (const std::int32_t node : nodes)
+        for (int c = 0; c < 3; ++c)
+          if (fix.components[c]) body.constraints().fix(node, c);
+    }
+  }
+
+  Ranks& ranks_;
+  const InspectOptions& options_;
+  std::optional<RankBody> body_;
+};
+
+/// What all ranks find wrong alike, one of them says.
+InspectResult inspectInParts(Ranks& ranks, const InspectOptions& options) {
+  InspectResult nothing;
+  try {
+    MeshInParts parts(ranks, options);
+    return inspectParts(options, parts);
+  } catch (const OtherRankFailed& fault) {
+    nothing.status = fault.status;
+  } catch (const NumericalError&) {
+    throw;  // of together(), on the first rank
+  } catch (const InputError&) {
+    if (ranks.rank() == 0) throw;
+    nothing.status = ExitStatus::badInput;
+  } catch (const std::bad_alloc&) {
+    endAll(ranks, "out of memory; use more ranks, on more machines");
+  } catch (const std::exception& fault) {
+    endAll(ranks, fault.what());
+  }
+  return nothing;
+}
+
 }  // namespace
 
 InspectResult inspectOnRanks(Ranks& ranks, const InspectOptions& asked) {
+  const bool wholeBody = asked.global || asked.displacement || asked.frame;
+  // One rank looks, so that all do the same.
+  bool inParts = !wholeBody && detail::isMshBinary4(asked.mesh);
+  ranks.share(&inParts, sizeof inParts, 0);
   bool begun = false;
   std::optional<RankBody> part;
   const auto inspect = [&] {
     requireDistributable(asked);
+    if (inParts) {
+      begun = true;  // faults are told
+      return inspectInParts(ranks, asked);
+    }
     InspectOptions options = asked;
     options.bracket = [&](const Body& body, const NodeVectors& x, const StepRule& rule) {
       begun = true;
@@ -59,7 +242,7 @@ InspectResult inspectOnRanks(Ranks& ranks, const InspectOptions& asked) {
       const Partition partition = cutTogether(ranks, body.mesh());
       together(ranks,
                [&] { part.emplace(body, partition, ranks.rank(), threadsOfRank(ranks, asked.threads, body.mesh())); });
-      return bracketOnRanks(ranks, *part, x, rule);
+      return bracketOnRanks(ranks, *part, NodeVectors(x(Eigen::all, part->globalNodes())), rule);
     };
     options.globalFrequency = [&](const Body& body, const NodeVectors& x) {
       return globalFrequency(ranks, *part, body, x);

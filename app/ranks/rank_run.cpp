@@ -81,7 +81,7 @@ class RankRun {
         throw;
       } catch (const std::exception& fault) {
         if (knownToAll_) throw;
-        endAll(fault.what());
+        endAll(ranks_, fault.what());
       }
     }
     auto status = static_cast<int>(result_.exitStatus());
@@ -90,7 +90,8 @@ class RankRun {
         writeSummary();
         if (!request_.quiet) print(summaryText(scene_, *whole_, result_, request_.folder));
       } catch (const std::exception& fault) {
-        if (result_.reason != ExitReason::interrupted) endAll(fault.what());  // else the terminal may be what is gone
+        if (result_.reason != ExitReason::interrupted)
+          endAll(ranks_, fault.what());  // else the terminal may be what is gone
       }
     }
     ranks_.share(&status, sizeof status, 0);  // of the first rank, which knows of all events
@@ -101,13 +102,6 @@ class RankRun {
   bool first() const { return ranks_.rank() == 0; }
   /// What the monitor sees of the part: all of it, or the explicit elements.
   const RankBody& watched() const { return explicitPart_ ? *explicitPart_ : *part_; }
-
-  /// Others wait for this rank, so that it ends all.
-  [[noreturn]] void endAll(const char* fault) const {
-    std::fprintf(stderr, "ringwatch: %s: %s\n", ranks_.name().c_str(), fault);
-    MPI_Abort(ranks_.communicator(), static_cast<int>(ExitStatus::badInput));
-    std::abort();
-  }
 
   /// together(), of a run that has begun.
   template <class Work>

@@ -1,11 +1,19 @@
 #include <ringwatch/app/ranks/together.h>
 
+#include <cstdio>
+#include <cstdlib>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
 namespace ringwatch {
+
+void endAll(const Ranks& ranks, const char* fault) {
+  std::fprintf(stderr, "ringwatch: %s: %s\n", ranks.name().c_str(), fault);
+  MPI_Abort(ranks.communicator(), static_cast<int>(ExitStatus::badInput));
+  std::abort();
+}
 
 void requireNoFault(Ranks& ranks, const RankFault& own) {
   const bool failed = own.status != ExitStatus::done;

@@ -24,6 +24,9 @@ struct RankFault {
 /// Cuts a mesh that all ranks have: the first one does, and tells the others. Throws as together(). Collective.
 Partition cutTogether(Ranks& ranks, const Mesh& mesh);
 
+/// Ends all ranks: others wait for this one, which cannot go on.
+[[noreturn]] void endAll(const Ranks& ranks, const char* fault);
+
 /// Throws on all ranks where the work of one has failed: on the first rank the fault of the first that failed, with the
 /// name of that one unless all have failed, and OtherRankFailed on the others. Collective.
 void requireNoFault(Ranks& ranks, const RankFault& own);

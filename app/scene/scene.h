@@ -16,6 +16,7 @@
 #include <ringwatch/app/scene/scene_materials.h>
 #include <ringwatch/app/scene/time_table.h>
 #include <ringwatch/app/scene/where_expression.h>
+#include <ringwatch/base/error.h>
 #include <ringwatch/body/body.h>
 #include <ringwatch/body/obstacle.h>
 #include <ringwatch/handlers/handler.h>
@@ -37,9 +38,14 @@ struct NodeSelection {
   /// Positions of the selected nodes, ascending. Throws InputError for an unknown set and for a selection without
   /// nodes.
   std::vector<std::int32_t> nodesOf(const Mesh& mesh) const;
-
- private:
-  std::vector<std::int32_t> numberedNodes(const Mesh& mesh) const;
+  /// The same of a part of a mesh, which may have none of them. Throws InputError for an unknown set.
+  std::vector<std::int32_t> nodesIn(const Mesh& part) const;
+  /// Throws InputError where a mesh has none of the nodes; low, high: corners of its bounding box, m.
+  void requireSome(std::int64_t count, const Eigen::Vector3d& low, const Eigen::Vector3d& high) const;
+  /// Numbers in the mesh file that it names; empty for a set or a condition. Throws InputError for what is none.
+  std::vector<std::int64_t> numbers() const;
+  /// For a number that the mesh does not have.
+  InputError noSuchNode(std::int64_t number) const;
 };
 
 /// What a run does when the monitor no longer certifies its step.

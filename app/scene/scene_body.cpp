@@ -78,52 +78,70 @@ class PrescribedMotions {
 
 }  // namespace
 
-std::vector<std::int32_t> NodeSelection::numberedNodes(const Mesh& mesh) const {
-  std::unordered_map<std::int64_t, std::int32_t> nodeOf;
-  for (std::int32_t i = 0; i < static_cast<std::int32_t>(mesh.nodeCount()); ++i) nodeOf.emplace(mesh.nodeId(i), i);
-  std::vector<std::int32_t> nodes;
+std::vector<std::int64_t> NodeSelection::numbers() const {
+  std::vector<std::int64_t> found;
+  if (where || !set.starts_with("#")) return found;
   for (std::size_t begin = 1; begin <= set.size();) {
     const std::size_t end = std::min(set.find(',', begin), set.size());
-    std::int64_t number = 0;
+    std::int64_t& number = found.emplace_back(0);
     const auto [stop, error] = std::from_chars(set.data() + begin, set.data() + end, number);
     if (error != std::errc() || stop != set.data() + end)
       throw InputError(
           fmt::format("{}: {} names no nodes; write # and their numbers, e.g. \"#3,7\"", origin, inQuotes(set)));
-    const auto found = nodeOf.find(number);
-    if (found == nodeOf.end()) throw InputError(fmt::format("{}: the mesh has no node {}", origin, number));
-    nodes.push_back(found->second);
     begin = end + 1;
   }
-  sortUnique(nodes);
-  return nodes;
+  return found;
 }
 
-std::vector<std::int32_t> NodeSelection::nodesOf(const Mesh& mesh) const {
-  if (!where && set.starts_with("#")) return numberedNodes(mesh);
+InputError NodeSelection::noSuchNode(std::int64_t number) const {
+  return InputError(fmt::format("{}: the mesh has no node {}", origin, number));
+}
+
+std::vector<std::int32_t> NodeSelection::nodesIn(const Mesh& part) const {
+  std::vector<std::int32_t> nodes;
+  if (!where && set.starts_with("#")) {
+    const std::vector<std::int64_t> wanted = numbers();
+    std::unordered_map<std::int64_t, std::int32_t> nodeOf;
+    for (std::int32_t i = 0; i < static_cast<std::int32_t>(part.nodeCount()); ++i) nodeOf.emplace(part.nodeId(i), i);
+    for (const std::int64_t number : wanted)
+      if (const auto found = nodeOf.find(number); found != nodeOf.end()) nodes.push_back(found->second);
+    sortUnique(nodes);
+    return nodes;
+  }
   if (!where) {
-    const auto found = mesh.nodeSets.find(set);
-    if (found != mesh.nodeSets.end() && !found->second.empty()) return found->second;
+    const auto found = part.nodeSets.find(set);
+    if (found != part.nodeSets.end()) return found->second;
     std::vector<std::string> known;
-    for (const auto& entry : mesh.nodeSets) known.push_back(entry.first);
-    if (found != mesh.nodeSets.end())
-      throw InputError(fmt::format("{}: the node set {} is empty", origin, inQuotes(set)));
+    for (const auto& entry : part.nodeSets) known.push_back(entry.first);
     throw InputError(known.empty()
                          ? fmt::format("{}: unknown node set {}; the mesh has no named sets", origin, inQuotes(set))
                          : fmt::format("{}: unknown node set {}; {}the mesh has {}", origin, inQuotes(set),
                                        didYouMean(set, known), shortList(known)));
   }
-  std::vector<std::int32_t> nodes;
   try {
-    for (Eigen::Index i = 0; i < mesh.X.cols(); ++i)
-      if (where->holdsAt(mesh.X.col(i))) nodes.push_back(i);
+    for (Eigen::Index i = 0; i < part.X.cols(); ++i)
+      if (where->holdsAt(part.X.col(i))) nodes.push_back(static_cast<std::int32_t>(i));
   } catch (const InputError& fault) {
     throw InputError(fmt::format("{}: {}", origin, fault.what()));
   }
-  if (nodes.empty()) {
-    const Eigen::Vector3d low = mesh.X.rowwise().minCoeff(), high = mesh.X.rowwise().maxCoeff();
-    throw InputError(fmt::format("{}: {} selects no node; the mesh lies in {} <= x <= {}, {} <= y <= {}, {} <= z <= {}",
-                                 origin, inQuotes(where->text()), low[0], high[0], low[1], high[1], low[2], high[2]));
-  }
+  return nodes;
+}
+
+void NodeSelection::requireSome(std::int64_t count, const Eigen::Vector3d& low, const Eigen::Vector3d& high) const {
+  if (count > 0) return;
+  if (!where) throw InputError(fmt::format("{}: the node set {} is empty", origin, inQuotes(set)));
+  throw InputError(fmt::format("{}: {} selects no node; the mesh lies in {} <= x <= {}, {} <= y <= {}, {} <= z <= {}",
+                               origin, inQuotes(where->text()), low[0], high[0], low[1], high[1], low[2], high[2]));
+}
+
+std::vector<std::int32_t> NodeSelection::nodesOf(const Mesh& mesh) const {
+  std::vector<std::int32_t> nodes = nodesIn(mesh);
+  std::vector<std::int64_t> found;
+  for (const std::int32_t node : nodes) found.push_back(mesh.nodeId(node));
+  std::sort(found.begin(), found.end());
+  for (const std::int64_t number : numbers())
+    if (!std::binary_search(found.begin(), found.end(), number)) throw noSuchNode(number);
+  if (nodes.empty()) requireSome(0, mesh.X.rowwise().minCoeff(), mesh.X.rowwise().maxCoeff());
   return nodes;
 }
 

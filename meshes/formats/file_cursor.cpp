@@ -1,5 +1,9 @@
 #include <ringwatch/meshes/formats/file_cursor.h>
 
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <fstream>
@@ -13,15 +17,39 @@ namespace {
 
 constexpr std::size_t mostPipedBytes = std::size_t{4} << 30;
 
+/// Throws InputError for what is no file.
+std::filesystem::file_status statusOfFile(const std::filesystem::path& path) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status)) throw InputError(path.string() + ": cannot read: there is no such file");
+  if (std::filesystem::is_directory(status))
+    throw InputError(path.string() + ": cannot read: this is a folder, a mesh file is needed");
+  return status;
+}
+
 }  // namespace
+
+MappedFile::MappedFile(const std::filesystem::path& path) {
+  const std::string name = path.string();
+  if (!std::filesystem::is_regular_file(statusOfFile(path)))
+    throw InputError(name + ": cannot read: this is no regular file, a mesh file is needed");
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const off_t size = file < 0 ? -1 : ::lseek(file, 0, SEEK_END);
+  void* data = size > 0 ? ::mmap(nullptr, static_cast<std::size_t>(size), PROT_READ, MAP_PRIVATE, file, 0) : nullptr;
+  const int fault = size < 0 || data == MAP_FAILED ? errno : 0;
+  if (file >= 0) ::close(file);  // the mapping stays
+  if (fault != 0) throw InputError(name + ": cannot read: " + std::strerror(fault));
+  if (size == 0) throw InputError(name + ": the file is empty");
+  data_ = static_cast<const char*>(data);
+  size_ = static_cast<std::size_t>(size);
+}
+
+MappedFile::~MappedFile() { ::munmap(const_cast<char*>(data_), size_); }
 
 std::string readWholeFile(const std::filesystem::path& path) {
   std::error_code error;
   const std::string name = path.string();
-  const std::filesystem::file_status status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) throw InputError(name + ": cannot read: there is no such file");
-  if (std::filesystem::is_directory(status))
-    throw InputError(name + ": cannot read: this is a folder, a mesh file is needed");
+  const std::filesystem::file_status status = statusOfFile(path);
   const bool pipe = std::filesystem::is_fifo(status);
   if (!pipe && !std::filesystem::is_regular_file(status))
     throw InputError(name + ": cannot read: this is a device or a socket, a mesh file is needed");

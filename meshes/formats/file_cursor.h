@@ -17,6 +17,21 @@ namespace ringwatch::detail {
 /// larger than the machine's memory (through a pipe: than 4 GiB), or cannot be read.
 std::string readWholeFile(const std::filesystem::path& path);
 
+/// The bytes of a regular file where they are: what is not looked at is not read. Throws InputError as readWholeFile
+/// does; a file that another program cuts short meanwhile ends this one.
+class MappedFile {
+ public:
+  explicit MappedFile(const std::filesystem::path& path);
+  ~MappedFile();
+  MappedFile(const MappedFile&) = delete;
+  MappedFile& operator=(const MappedFile&) = delete;
+  std::string_view bytes() const { return {data_, size_}; }
+
+ private:
+  const char* data_ = nullptr;
+  std::size_t size_ = 0;
+};
+
 /// The word in quotes for an error message: unprintable bytes as '?', cut after 40 characters, so that it stays one
 /// line.
 std::string quoted(std::string_view word);
@@ -70,6 +85,14 @@ class FileCursor {
     return text_.substr(position_, expected.size()) == expected;
   }
   void seek(std::size_t position) { position_ = position; }
+  /// Passes over so many things of raw values of 8 bytes.
+  void skip(std::size_t count, std::size_t bytesEach, std::string_view what) {
+    if (remaining() / bytesEach < count) {
+      position_ += remaining() / sizeof(double) * sizeof(double);  // the value that is not whole
+      fail(joinText("the file ends where ", what, " is expected"));
+    }
+    position_ += count * bytesEach;
+  }
   /// Moves to the next place that holds the text; false, and to the end, when there is none.
   bool skipTo(std::string_view text) {
     position_ = std::min(text_.find(text, position_), text_.size());

@@ -25,14 +25,6 @@ constexpr FileElement fileElements[] = {
     {0, "wedge", 3, 12, 31},    {0, "hex", 3, 24, 33},      {0, "pyramid", 3, 19, 37},
 };
 
-/// The element that the library or its user has for it; nullptr for none.
-const ElementInfo* elementOf(const FileElement& type) {
-  if (type.dimension < 3) return nullptr;
-  const ElementInfo* info = findElementByVtkType(type.vtkCellType);
-  if (info == nullptr) info = findElementByGmshType(type.gmshType);
-  return info != nullptr && info->nodes == type.nodes ? info : nullptr;
-}
-
 /// Numbers of nodes to indices: a table where the numbers are dense, a hash map else.
 class NodeIndex {
  public:
@@ -81,6 +73,54 @@ const FileElement* findVtkElement(int vtkCellType) {
   return nullptr;
 }
 
+const ElementInfo* elementOf(const FileElement& type) {
+  if (type.dimension < 3) return nullptr;
+  const ElementInfo* info = findElementByVtkType(type.vtkCellType);
+  if (info == nullptr) info = findElementByGmshType(type.gmshType);
+  return info != nullptr && info->nodes == type.nodes ? info : nullptr;
+}
+
+std::size_t requireVolumes(std::span<const FoundElements> found, std::size_t nodes, const std::string& source,
+                           const std::function<std::string(std::size_t position)>& where, const std::string& hint) {
+  std::string unsupported;
+  std::size_t firstPosition = 0, dropped = 0;
+  bool volumes = false, hex27 = false;
+  for (const FoundElements& list : found) {
+    if (list.type->dimension < 3) {
+      dropped += list.count;
+    } else if (elementOf(*list.type) != nullptr) {
+      volumes = true;
+    } else {
+      if (unsupported.empty()) firstPosition = list.firstPosition;
+      hex27 = hex27 || list.type->gmshType == gmshHex27;
+      unsupported += joinText(unsupported.empty() ? "" : " and ", list.count, " of type ", list.type->name());
+    }
+  }
+  if (!unsupported.empty()) {
+    std::string known;
+    for (const ElementInfo& info : allElements()) known += (known.empty() ? "" : ", ") + std::string(info.name);
+    throw InputError(
+        joinText(where(firstPosition), ": elements that are not supported: ", unsupported, "; supported are ", known,
+                 hex27 ? "; gmsh writes hex20 in place of hex27 with Mesh.SecondOrderIncomplete = 1" : ""));
+  }
+  if (!volumes)
+    throw InputError(joinText(source, ": there are no volume elements, only ", dropped,
+                              " of surfaces, lines or points; a mesh of tetrahedra or hexahedra is needed", hint));
+  constexpr std::size_t limit = std::numeric_limits<std::int32_t>::max();
+  if (nodes > limit) throw InputError(joinText(source, ": ", nodes, " nodes; at most ", limit, " are possible"));
+  for (const FoundElements& list : found)
+    if (list.count > limit && list.type->dimension == 3)
+      throw InputError(joinText(source, ": ", list.count, " elements of type ", list.type->name(), "; at most ", limit,
+                                " are possible"));
+  return dropped;
+}
+
+std::vector<std::string> droppedNote(const std::string& source, std::size_t dropped) {
+  if (dropped == 0) return {};
+  return {joinText(source, ": ", dropped,
+                   " elements of surfaces, lines or points are kept only as node sets of their groups")};
+}
+
 void MeshBuilder::addElement(const FileElement& type, std::int64_t id, const std::int64_t* nodes, int group,
                              std::size_t position, bool gmshOrder) {
   auto found = std::find_if(elements_.rbegin(), elements_.rend(), [&](const Elements& e) { return e.type == &type; });
@@ -105,31 +145,10 @@ void MeshBuilder::addElement(const FileElement& type, std::int64_t id, const std
 }
 
 Mesh MeshBuilder::finish(std::vector<std::string>* notes, std::vector<MeshProblem>* problems) {
-  std::string unsupported;
-  std::size_t firstPosition = 0, dropped = 0;
-  bool volumes = false, hex27 = false;
-  for (const Elements& list : elements_) {
-    if (list.type->dimension < 3) dropped += list.count;
-    if (list.info != nullptr) volumes = true;
-    if (list.type->dimension < 3 || list.info != nullptr) continue;
-    if (unsupported.empty()) firstPosition = list.positions[0];
-    hex27 = hex27 || list.type->gmshType == gmshHex27;
-    unsupported += joinText(unsupported.empty() ? "" : " and ", list.count, " of type ", list.type->name());
-  }
-  if (!unsupported.empty()) {
-    std::string known;
-    for (const ElementInfo& info : allElements()) known += (known.empty() ? "" : ", ") + std::string(info.name);
-    throw InputError(
-        joinText(elementWhere_(firstPosition), ": elements that are not supported: ", unsupported, "; supported are ",
-                 known, hex27 ? "; gmsh writes hex20 in place of hex27 with Mesh.SecondOrderIncomplete = 1" : ""));
-  }
-  if (!volumes)
-    throw InputError(joinText(source_, ": there are no volume elements, only ", dropped,
-                              " of surfaces, lines or points; a mesh of tetrahedra or hexahedra is needed",
-                              noVolumeHint));
-  constexpr std::size_t limit = std::numeric_limits<std::int32_t>::max();
-  if (nodeIds_.size() > limit)
-    throw InputError(joinText(source_, ": ", nodeIds_.size(), " nodes; at most ", limit, " are possible"));
+  std::vector<FoundElements> found;
+  for (const Elements& list : elements_)
+    found.push_back({list.type, list.count, list.positions.empty() ? 0 : list.positions[0]});
+  const std::size_t dropped = requireVolumes(found, nodeIds_.size(), source_, elementWhere_, noVolumeHint);
 
   Mesh mesh;
   mesh.X = Eigen::Map<const NodeVectors>(coordinates_.data(), 3, static_cast<Eigen::Index>(nodeIds_.size()));
@@ -151,9 +170,6 @@ Mesh MeshBuilder::finish(std::vector<std::string>* notes, std::vector<MeshProble
 
   for (const Elements& list : elements_) {
     const std::size_t width = list.type->nodes;
-    if (list.ids.size() > limit)
-      throw InputError(joinText(source_, ": ", list.ids.size(), " elements of type ", list.type->name(), "; at most ",
-                                limit, " are possible"));
     const std::int32_t blockNumber = mesh.blocks.size();
     std::vector<std::int32_t> connectivity(list.nodes.size());
     for (std::size_t e = 0; e < list.ids.size(); ++e)
@@ -202,9 +218,8 @@ Mesh MeshBuilder::finish(std::vector<std::string>* notes, std::vector<MeshProble
     sortUnique(nodes);
   }
   mesh.nodeIds = std::move(nodeIds_);
-  if (notes != nullptr && dropped > 0)
-    notes->push_back(joinText(source_, ": ", dropped,
-                              " elements of surfaces, lines or points are kept only as node sets of their groups"));
+  if (notes != nullptr)
+    for (std::string& note : droppedNote(source_, dropped)) notes->push_back(std::move(note));
   return mesh;
 }
 

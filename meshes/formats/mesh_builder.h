@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,6 +29,22 @@ const FileElement* findVtkElement(int vtkCellType);
 /// False for points, lines and surfaces.
 bool isVtkVolumeCell(int vtkCellType);
 
+/// The element that the library or its user has for it; nullptr for none.
+const ElementInfo* elementOf(const FileElement& type);
+
+/// How many elements of a type a file has, and where the first one is.
+struct FoundElements {
+  const FileElement* type;
+  std::size_t count;
+  std::size_t firstPosition;
+};
+/// Throws InputError where the elements of a file are no mesh: volume elements that the library does not have, none, or
+/// too many. Returns the number of elements of surfaces, lines and points. hint: as MeshBuilder::noVolumeHint.
+std::size_t requireVolumes(std::span<const FoundElements> found, std::size_t nodes, const std::string& source,
+                           const std::function<std::string(std::size_t position)>& where, const std::string& hint);
+/// The note of these elements; empty without any.
+std::vector<std::string> droppedNote(const std::string& source, std::size_t dropped);
+
 /// Collects what a reader finds, with its position in the file, and makes the Mesh of it: numbers become indices,
 /// volume elements become blocks in order of first appearance, groups become sets. Throws InputError, with the
 /// position, on repeated or missing nodes, coordinates that are not finite, and volume elements that the library does
@@ -47,6 +64,8 @@ class MeshBuilder {
     nodePositions_.push_back(position);
   }
   std::size_t nodeCount() const { return nodeIds_.size(); }
+  /// The names of each group.
+  const std::vector<std::vector<std::string>>& groups() const { return groups_; }
 
   /// A new group (a combination of set names); -1 stands for none.
   int addGroup(std::vector<std::string> names) {

@@ -1,9 +1,12 @@
+#include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <map>
 
 #include <ringwatch/meshes/formats/file_cursor.h>
 #include <ringwatch/meshes/formats/mesh_builder.h>
 #include <ringwatch/meshes/formats/mesh_readers.h>
+#include <ringwatch/meshes/formats/msh_outline.h>
 
 namespace ringwatch::detail {
 namespace {
@@ -13,7 +16,7 @@ constexpr const char* dimensionNames[] = {"point", "curve", "surface", "volume"}
 /// MSH 2.x, 4.0 and 4.1, as "MSH file format" of the gmsh manual has them.
 class MshReader {
  public:
-  MshReader(const std::string& source, const std::string& text)
+  MshReader(const std::string& source, std::string_view text)
       : cursor_(text, source),
         source_(source),
         builder_(
@@ -24,6 +27,35 @@ class MshReader {
   }
 
   Mesh read(Notes* notes, Problems* problems) {
+    readSections(notes);
+    return builder_.finish(notes, problems);
+  }
+
+  /// Of an MSH 4.1 binary file.
+  MshOutline outline() {
+    MshOutline outline;
+    outline_ = &outline;
+    readSections(&outline.notes);
+    outline.swapBytes = cursor_.swapBytes;
+    outline.groups = builder_.groups();
+    std::vector<FoundElements> found;
+    for (const MshOutline::Elements& run : outline.elements) {
+      const auto count = static_cast<std::size_t>(run.count);
+      const auto known = std::ranges::find(found, run.type, &FoundElements::type);
+      if (known == found.end())
+        found.push_back({run.type, count, run.position});
+      else
+        known->count += count;
+    }
+    const std::size_t dropped = requireVolumes(
+        found, static_cast<std::size_t>(outline.nodeCount), source_,
+        [this](std::size_t position) { return cursor_.where(position); }, builder_.noVolumeHint);
+    for (std::string& note : droppedNote(source_, dropped)) outline.notes.push_back(std::move(note));
+    return outline;
+  }
+
+ private:
+  void readSections(Notes* notes) {
     readFormat();
     bool nodes = false, elements = false;
     while (cursor_.skipSpace()) {
@@ -54,10 +86,8 @@ class MshReader {
     }
     if (!nodes) throw InputError(source_ + ": the file ends without a $Nodes section; is it cut short?");
     if (!elements) throw InputError(source_ + ": the file ends without an $Elements section; is it cut short?");
-    return builder_.finish(notes, problems);
   }
 
- private:
   void readFormat() {
     cursor_.expectLine("$MeshFormat");
     cursor_.beginRecord("the MSH version");
@@ -204,6 +234,15 @@ class MshReader {
       const std::int64_t announced = cursor_.int64("the number of nodes of a block");
       const std::size_t count = cursor_.checkedCount(announced, cursor_.binary ? 32 : 7, "nodes of a block", at);
       cursor_.endRecord();
+      if (outline_ != nullptr) {
+        const std::size_t bytesEach = sizeof(double) * (parametric ? 3 + static_cast<std::size_t>(dimension) : 3);
+        const std::size_t numbers = cursor_.position();
+        cursor_.skip(count, sizeof(std::int64_t), "the number of a node");
+        outline_->nodes.push_back({outline_->nodeCount, announced, numbers, cursor_.position(), bytesEach});
+        cursor_.skip(count, bytesEach, "a coordinate");
+        outline_->nodeCount += announced;
+        continue;
+      }
       const auto coordinates = [&](std::int64_t id, std::size_t where) {
         const double x = cursor_.real("coordinate x"), y = cursor_.real("coordinate y"),
                      z = cursor_.real("coordinate z");
@@ -232,8 +271,9 @@ class MshReader {
         coordinates(tags[i].first, cursor_.position());
       }
     }
-    if (static_cast<std::int64_t>(builder_.nodeCount()) != total)
-      cursor_.failAt(begin, joinText("the number of nodes is ", total, ", but the blocks hold ", builder_.nodeCount()));
+    const std::int64_t found = outline_ ? outline_->nodeCount : static_cast<std::int64_t>(builder_.nodeCount());
+    if (found != total)
+      cursor_.failAt(begin, joinText("the number of nodes is ", total, ", but the blocks hold ", found));
   }
 
   const FileElement& elementType(std::int64_t type, std::size_t at) const {
@@ -324,16 +364,23 @@ class MshReader {
       const std::int64_t announced = cursor_.int64("the number of elements of a block");
       const std::size_t count = cursor_.checkedCount(announced, cursor_.binary ? 16 : 4, "elements of a block", at);
       cursor_.endRecord();
-      const auto group = entityGroups_.find({type.dimension, entity});
+      const auto entry = entityGroups_.find({type.dimension, entity});
+      const int group = entry == entityGroups_.end() ? -1 : entry->second;
+      found += announced;
+      if (outline_ != nullptr) {
+        if (count == 0) continue;
+        outline_->elements.push_back({&type, announced, group, cursor_.position()});
+        cursor_.skip(count, outline_->elements.back().bytesEach(), "the number of a node of an element");
+        continue;
+      }
       for (std::size_t i = 0; i < count; ++i) {
         cursor_.beginRecord("an element");
         const std::size_t where = cursor_.position();
         const std::int64_t id = cursor_.int64("the number of an element");
         for (int a = 0; a < type.nodes; ++a) nodes[a] = cursor_.int64("the number of a node of an element");
         cursor_.endRecord();
-        builder_.addElement(type, id, nodes, group == entityGroups_.end() ? -1 : group->second, where, true);
+        builder_.addElement(type, id, nodes, group, where, true);
       }
-      found += announced;
     }
     if (found != total)
       cursor_.failAt(begin, joinText("the number of elements is ", total, ", but the blocks hold ", found));
@@ -342,6 +389,7 @@ class MshReader {
   FileCursor cursor_;
   std::string source_;
   MeshBuilder builder_;
+  MshOutline* outline_ = nullptr;  // nodes and elements are passed over, and where they are goes here
   double version_ = 0;
   std::map<std::pair<int, std::int64_t>, std::string> names_;
   std::map<std::pair<int, std::int64_t>, int> entityGroups_;  // by physical group in version 2, by entity in version 4
@@ -351,6 +399,27 @@ class MshReader {
 
 Mesh readMsh(const std::filesystem::path& path, const std::string& text, Notes* notes, Problems* problems) {
   return MshReader(path.string(), text).read(notes, problems);
+}
+
+bool isMshBinary4(const std::filesystem::path& path) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return false;
+  std::string text(64, '\0');  // more than the two lines that tell it
+  std::ifstream file(path, std::ios::binary);
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  try {
+    FileCursor cursor(text, path.string());
+    cursor.expectLine("$MeshFormat");
+    cursor.beginRecord("the MSH version");
+    return cursor.numberText("the MSH version") == 4.1 && cursor.integerText("the file type") == 1;
+  } catch (const InputError&) {
+    return false;  // the reader says what is wrong
+  }
+}
+
+MshOutline outlineMsh(const std::filesystem::path& path, std::string_view bytes) {
+  return MshReader(path.string(), bytes).outline();
 }
 
 }  // namespace ringwatch::detail

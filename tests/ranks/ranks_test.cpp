@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <sstream>
 #include <string>
@@ -348,6 +350,191 @@ TEST_F(RanksProgram, Inspects) {
     EXPECT_THAT(refused.err, HasSubstr(what));
   }
   EXPECT_EQ(onRanks(2, "missing.msh --young 1e6 --poisson 0.3 --density 1000", "inspect").status, 2);
+}
+
+/// Replaces the last place in a file's bytes that has a raw value, or the first behind the counts of nodes.
+template <class T>
+std::string patched(std::string bytes, T from, T to, bool last) {
+  const std::string old(reinterpret_cast<const char*>(&from), sizeof from);
+  const std::size_t at = last ? bytes.rfind(old) : bytes.find(old, bytes.find("$Nodes") + sizeof "$Nodes" + 32);
+  EXPECT_NE(at, std::string::npos);
+  return at == std::string::npos ? bytes : bytes.replace(at, sizeof to, reinterpret_cast<const char*>(&to), sizeof to);
+}
+
+/// A bar of all linear elements in a few entities of the file, with node numbers in no order and far apart.
+Mesh shuffledMesh() {
+  BarOptions options;
+  options.size = {0.1, 0.04, 0.03};
+  options.cells = {8, 3, 3};
+  options.jitter = 0.1;
+  Mesh mesh = generateMixedBar(options);
+  constexpr std::int64_t prime = 7919;  // more than there are nodes
+  mesh.nodeIds.clear();
+  for (std::int64_t i = 0; i < static_cast<std::int64_t>(mesh.nodeCount()); ++i)
+    mesh.nodeIds.push_back(100 + 1000 * ((i * 3571) % prime));
+  for (std::size_t b = 0; b < mesh.blocks.size(); ++b)
+    for (std::size_t e = 0; e < mesh.blocks[b].elementCount(); ++e)
+      if (e % 7 < 3) mesh.elementSets["striped"].push_back({b, e});
+  return mesh;
+}
+
+/// A mesh in MSH 4.1 binary is read in parts: what is said is the same for any number of ranks, and has the bracket and
+/// the controlling element of ranks that each hold the whole body, to the last bit.
+TEST_F(RanksProgram, InspectsInParts) {
+  const std::string law = " --young 1e6 --poisson 0.3 --density 1000 ";
+  BarOptions bar;
+  bar.cells = {6, 5, 4};
+  bar.jitter = 0.2;
+  const Mesh tetrahedra = generateBar(bar);
+  bar.element = "hex20";
+  bar.jitter = 0;
+  const Mesh curved = generateBar(bar);
+  bar.cells = {1, 1, 1};
+  bar.element = "hex8";
+  const Mesh single = generateBar(bar);
+  Mesh mended = tetrahedra;  // all turned round, and with nodes that no element has
+  for (std::size_t i = 0; i < mended.blocks[0].connectivity.size(); i += 4)
+    std::swap(mended.blocks[0].connectivity[i], mended.blocks[0].connectivity[i + 1]);
+  mended.X.conservativeResize(3, mended.X.cols() + 2);
+  mended.X.rightCols(2).setConstant(0.5);
+  mended.nodeIds.clear();
+  Mesh apart = shuffledMesh();  // two bars side by side, whose nodes meet without being joined
+  {
+    const Mesh other = shuffledMesh();
+    const Eigen::Index nodes = apart.X.cols();
+    NodeVectors X(3, 2 * nodes);
+    X << apart.X, (other.X.colwise() + Eigen::Vector3d(0, 0.04, 0));
+    apart.X = X;
+    for (const std::int64_t id : other.nodeIds) apart.nodeIds.push_back(id + 7);
+    for (std::size_t b = 0; b < apart.blocks.size(); ++b) {
+      for (const std::int32_t node : other.blocks[b].connectivity)
+        apart.blocks[b].connectivity.push_back(node + static_cast<std::int32_t>(nodes));
+      apart.blocks[b].ids.clear();
+    }
+  }
+  struct Case {
+    const char* name;
+    const Mesh& mesh;
+    std::string options;
+    const char* note;
+  };
+  const Mesh shuffled = shuffledMesh();
+  for (const Case& one :
+       {Case{"shuffled", shuffled, "--fix 'x < 1e-6' --fix set:x-max:yz", ""},
+        Case{"tetrahedra", tetrahedra, "--model neo-hookean --fix 'set:#3,40' --fix set:z-max:x", ""},
+        Case{"curved", curved, "--lumping diagonal-scaling --rule hex20=gauss-3x3x3", ""}, Case{"one", single, "", ""},
+        Case{"mended", mended, "", "2 nodes that no element uses are dropped"},
+        Case{"apart", apart, "", "the mesh falls into 2 parts"}}) {
+    SCOPED_TRACE(one.name);
+    const std::string text = std::string(one.name) + ".msh", binary = std::string(one.name) + "_binary.msh";
+    writeMesh(one.mesh, folder_.path() / text, MeshFormat::msh41);
+    writeMesh(one.mesh, folder_.path() / binary, MeshFormat::msh41Binary);
+    ASSERT_EQ(onRanks(3, text + law + one.options + " --json whole.json", "inspect").status, 0);
+    const Outcome alone = call("inspect " + binary + law + one.options + " --exact --json alone.json");
+    ASSERT_EQ(alone.status, 0) << alone.err;
+    EXPECT_THAT(alone.out, HasSubstr(one.note));
+    const Json whole = json("whole.json"), exact = json("alone.json")["critical_step"]["exact"];
+    std::string said;
+    for (const int ranks : {1, 2, 3, 4}) {
+      SCOPED_TRACE(ranks);
+      const std::string file = "on" + std::to_string(ranks) + ".json";
+      const Outcome outcome = onRanks(ranks, binary + law + one.options + " --json " + file, "inspect");
+      ASSERT_EQ(outcome.status, 0) << outcome.err;
+      EXPECT_THAT(outcome.out, HasSubstr(one.note));
+      if (ranks == 1) said = outcome.out;
+      EXPECT_EQ(folder_.read(file), folder_.read("on1.json"));
+      EXPECT_EQ(replaced(outcome.out, file, "on1.json"), said);
+    }
+    Json found = json("on4.json");
+    EXPECT_EQ(found["critical_step"], whole["critical_step"]);
+    EXPECT_EQ(found["controlling_element"], whole["controlling_element"]);
+    EXPECT_EQ(found["state"], whole["state"]);
+    EXPECT_LE(found["critical_step"]["safe"].get<double>(), exact["optimistic"].get<double>());
+    EXPECT_GE(found["critical_step"]["optimistic"].get<double>(), exact["safe"].get<double>());
+    // Sums in another order.
+    Json other = json("alone.json");
+    for (Json* numbers : {&found, &other}) {
+      (*numbers)["mass"] = std::round((*numbers)["mass"].get<double>() * 1e9) * 1e-9;
+      (*numbers)["mesh"]["volume"] = std::round((*numbers)["mesh"]["volume"].get<double>() * 1e12) * 1e-12;
+      for (auto& [name, measure] : (*numbers)["quality"].items()) {
+        EXPECT_NEAR(measure["mean"].get<double>(), json("alone.json")["quality"][name]["mean"].get<double>(),
+                    1e-13 * std::abs(measure["mean"].get<double>()));
+        measure.erase("mean");
+      }
+    }
+    EXPECT_EQ(found["mass"], other["mass"]);
+    EXPECT_EQ(found["mesh"], other["mesh"]);
+    EXPECT_EQ(found["quality"], other["quality"]);
+    // The notes and the lines of sets and quality are those of one process.
+    const auto head = [](const std::string& all) { return all.substr(0, all.find("critical step")); };
+    EXPECT_EQ(head(said), head(alone.out));
+  }
+  // The command writes such files.
+  ASSERT_EQ(call("mesh convert tetrahedra.msh converted.msh --binary").status, 0);
+  EXPECT_EQ(folder_.read("converted.msh"), folder_.read("tetrahedra_binary.msh"));
+  test::Program::expectRefused("mesh convert tetrahedra.msh converted.vtu --binary", "--binary");
+  // The exact value takes the whole body.
+  ASSERT_EQ(call("inspect tetrahedra_binary.msh" + law + "--global --json alone.json").status, 0);
+  const Outcome global = onRanks(2, "tetrahedra_binary.msh" + law + "--global --json global.json", "inspect");
+  ASSERT_EQ(global.status, 0) << global.err;
+  EXPECT_EQ(json("global.json")["critical_step"]["global"], json("alone.json")["critical_step"]["global"]);
+}
+
+/// What is wrong with a mesh that is read in parts is one line, that of one process.
+TEST_F(RanksProgram, RefusesABadMeshInParts) {
+  const std::string law = " --young 1e6 --poisson 0.3 --density 1000 ";
+  Mesh mesh = shuffledMesh();
+  constexpr std::int64_t rare = 123456789;
+  mesh.nodeIds.back() = rare;
+  mesh.nodeSets.clear();
+  const double last = mesh.X(2, mesh.X.cols() - 1);
+  const auto write = [&](const Mesh& written, const char* name) {
+    writeMesh(written, folder_.path() / name, MeshFormat::msh41Binary);
+    return folder_.read(name);
+  };
+  const std::string good = write(mesh, "good.msh");
+  folder_.write("unknown.msh", patched<std::int64_t>(good, rare, 5, true));
+  folder_.write("repeated.msh", patched<std::int64_t>(good, rare, mesh.nodeIds[4], false));
+  folder_.write("negative.msh", patched<std::int64_t>(good, rare, -3, false));
+  folder_.write("infinite.msh", patched<double>(good, last, std::numeric_limits<double>::infinity(), false));
+  folder_.write("cut_nodes.msh", good.substr(0, good.find("$Nodes") + 300));
+  folder_.write("cut_elements.msh", good.substr(0, good.size() - 60));
+  folder_.write("no_elements.msh", good.substr(0, good.find("$Elements")));
+  folder_.write("no_end.msh", good.substr(0, good.find("$EndElements")));
+  Mesh bad = mesh;
+  std::swap(bad.blocks[0].connectivity[0], bad.blocks[0].connectivity[3]);
+  bad.blocks.back().connectivity[1] = bad.blocks.back().connectivity[0];
+  write(bad, "inverted.msh");
+  bad = mesh;
+  for (int a = 0; a < bad.blocks[0].nodesPerElement(); ++a)
+    bad.blocks[0].connectivity.push_back(bad.blocks[0].connectivity[static_cast<std::size_t>(a)]);
+  if (!bad.blocks[0].ids.empty()) bad.blocks[0].ids.push_back(99999);
+  write(bad, "double.msh");
+  const auto expectRefused = [&](const std::string& arguments, bool sameWords) {
+    const Outcome alone = call("inspect " + arguments);
+    ASSERT_EQ(alone.status, 2) << arguments;
+    SCOPED_TRACE(arguments);
+    const Outcome outcome = onRanks(3, arguments, "inspect");
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(outcome.out, "");
+    const std::vector<std::string> lines = linesOf(outcome.err);
+    ASSERT_EQ(lines.size(), 1u) << outcome.err;
+    if (sameWords) {
+      EXPECT_EQ(lines, linesOf(alone.err));
+    }
+  };
+  for (const char* name :
+       {"unknown", "repeated", "negative", "infinite", "no_elements", "no_end", "inverted", "double"})
+    expectRefused(std::string(name) + ".msh" + law, true);
+  // The places differ: what of a list is missing, and that it is cut short.
+  for (const char* name : {"cut_nodes", "cut_elements"}) expectRefused(std::string(name) + ".msh" + law, false);
+  for (const char* fix : {"'y > 7'", "set:none", "'set:#5'", "'set:#x'", "'y <'", "'sqrt(-1 - x) < 2'"})
+    expectRefused("good.msh" + law + "--fix " + fix, true);
+  expectRefused("good.msh --young 1e6 --poisson 0.3", true);
+  expectRefused("good.msh --young 1e6 --poisson 0.7 --density 1000", true);
+  const Outcome refused = onRanks(2, "good.msh" + law + "--metric all", "inspect");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_THAT(refused.err, HasSubstr("--metric: is not distributed over ranks"));
 }
 
 /// The exchange is counted: what the model says of the steps, and more for the monitor and the frames.

@@ -1,0 +1,14 @@
+#include <ringwatch/distributed/exchange.h>
+
+#include <ringwatch/base/error.h>
+
+namespace ringwatch {
+
+void throwFirst(Ranks& ranks, std::int64_t order, const std::function<std::string()>& text) {
+  const std::int64_t first = ranks.least(order);
+  if (first == noFault) return;
+  const auto from = static_cast<int>(ranks.least(order == first ? ranks.rank() : ranks.size()));
+  throw InputError(ranks.shareText(ranks.rank() == from ? text() : "", from));
+}
+
+}  // namespace ringwatch
