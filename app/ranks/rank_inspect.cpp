@@ -134,24 +134,28 @@ class MeshInParts final : public InspectedParts {
     Eigen::VectorXd masses;
     std::vector<ExactSum> sums(1 + part.mesh.blocks.size());  // mass of the nodes, and of the elements of each block
     together(ranks_, [&] {
-      const SceneMaterial& chosen = scene.materials.front();
-      material = makeMaterial(chosen.model, chosen.parameters, chosen.density);
-      for (std::size_t b = 0; b < part.mesh.blocks.size(); ++b) {
-        const MeshBlock& block = part.mesh.blocks[b];
-        const auto rule = scene.rules.find(std::string(elementInfo(block.type).name));
-        blocks.push_back(makeElementBlock(
-            part.mesh, block, *material, rule == scene.rules.end() ? "" : rule->second, scene.hourglassControl,
-            layOutPart(part.mesh.nodeCount(), block.nodesPerElement(), block.connectivity, part.places[b])));
-        part.places[b] = {};
-      }
-      masses = lumpedMass(part.mesh, blocks, scene.lumping).ofNode;
-      double mass[maxElementNodes];
-      for (std::size_t b = 0; b < blocks.size(); ++b)
-        for (std::int32_t e = 0; e < blocks[b]->elementCount(); ++e) {
-          if (!part.counts({b, e})) continue;
-          elementLumpedMass(part.mesh, *blocks[b], scene.lumping, e, mass);
-          for (int a = 0; a < blocks[b]->nodesPerElement(); ++a) sums[1 + b].add(mass[a]);
+      try {
+        const SceneMaterial& chosen = scene.materials.front();
+        material = makeMaterial(chosen.model, chosen.parameters, chosen.density);
+        for (std::size_t b = 0; b < part.mesh.blocks.size(); ++b) {
+          const MeshBlock& block = part.mesh.blocks[b];
+          const auto rule = scene.rules.find(std::string(elementInfo(block.type).name));
+          blocks.push_back(makeElementBlock(
+              part.mesh, block, *material, rule == scene.rules.end() ? "" : rule->second, scene.hourglassControl,
+              layOutPart(part.mesh.nodeCount(), block.nodesPerElement(), block.connectivity, part.places[b])));
+          part.places[b] = {};
         }
+        masses = lumpedMass(part.mesh, blocks, scene.lumping).ofNode;
+        double mass[maxElementNodes];
+        for (std::size_t b = 0; b < blocks.size(); ++b)
+          for (std::int32_t e = 0; e < blocks[b]->elementCount(); ++e) {
+            if (!part.counts({b, e})) continue;
+            elementLumpedMass(part.mesh, *blocks[b], scene.lumping, e, mass);
+            for (int a = 0; a < blocks[b]->nodesPerElement(); ++a) sums[1 + b].add(mass[a]);
+          }
+      } catch (const NumericalError& fault) {
+        throw InputError(fmt::format("{}: {}", scene.meshOrigin, fault.what()));  // the mesh is what the user can mend
+      }
     });
     copyToGhosts(ranks_, part, masses.data(), 1);  // theirs lack elements
     for (std::int32_t i = 0; i < part.ownedNodes; ++i) sums[0].add(masses[i]);
