@@ -644,13 +644,13 @@ TEST_F(RanksProgram, GoesOnWithAnyNumberOfRanks) {
   ASSERT_EQ(onRanks(2, "scene.toml --out whole" + settings).status, 0);
   EXPECT_FALSE(exists("whole/checkpoint.bin"));
   // One rank is killed once there is a checkpoint: all end, and mpirun says which.
-  const Outcome killed =
-      shell(mpirun(3) + "'" RINGWATCH_PROGRAM "' run scene.toml --out part" + settings +
-            " & launcher=$!; until test -e part/checkpoint.bin; do sleep 0.02; done; "
-            "for process in /proc/[0-9]*; do "
-            "if grep -qs \"^PPid:.$launcher$\" $process/status; then last=${process#/proc/}; fi; "
-            "done; kill -KILL $last; date +%s > killed; wait $launcher; status=$?; date +%s > ended; "
-            "exit $status");
+  const Outcome killed = shell(mpirun(3) + "'" RINGWATCH_PROGRAM "' run scene.toml --out part" + settings +
+                               " & launcher=$!; until test -e part/run.lock; do sleep 0.002; done; "
+                               "for process in /proc/[0-9]*; do "
+                               "if grep -qs \"^PPid:.$launcher$\" $process/status; then last=${process#/proc/}; fi; "
+                               "done; until test -e part/checkpoint.bin; do sleep 0.002; done; kill -KILL $last; date "
+                               "+%s > killed; wait $launcher; status=$?; date +%s > ended; "
+                               "exit $status");
   EXPECT_NE(killed.status, 0);
   EXPECT_THAT(killed.err, HasSubstr("noticed that process rank"));
   EXPECT_LE(std::stoll(folder_.read("ended")) - std::stoll(folder_.read("killed")), 10);
