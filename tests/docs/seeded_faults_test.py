@@ -97,7 +97,7 @@ class SeededFaults(unittest.TestCase):
                     "monitor/exact_step.h", "docs/theory/rings_and_rayleigh.md", "docs/theory/exchange.md")
         self.expect("theorems", "monitor/bounds.h:9: states a bound and names no theorem", "monitor/bounds.h",
                     "(Theorem 27, docs/theory/integrators.md)", "(docs/theory/integrators.md)")
-        self.expect("theorems", "theorems are not numbered 1 to 93", "docs/theory/exchange.md", "## Theorem 12:", "## Claim:")
+        self.expect("theorems", "theorems are not numbered 1 to ", "docs/theory/exchange.md", "## Theorem 12:", "## Claim:")
         self.expect("theorems", "exchange.md has the theorems [12, 13], not 12, 14", "docs/theory/README.md", "| 12, 13 |", "| 12, 14 |")
         self.expect("theorems", "lines of the theorems [12] are missing", "docs/theory/README.md", "| [12](", "| 12 (")
 
