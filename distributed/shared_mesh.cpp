@@ -17,14 +17,16 @@ class NodeDirectory {
  public:
   /// Throws InputError for a number that is there twice.
   NodeDirectory(Ranks& ranks, const ReadShare& share) : ranks_(ranks), allNodes_(share.allNodes) {
-    std::int64_t least = noFault, negatedMost = noFault;
+    // Any number may stand in a file: unsigned and by complements, so that none overflows.
+    std::int64_t least = noFault, complementOfMost = noFault;
     for (std::size_t i = 0; i < share.nodeIds.size(); ++i) {
-      const std::int64_t offset = share.nodeIds[i] - (share.firstNode + static_cast<std::int64_t>(i));
+      const auto offset = static_cast<std::int64_t>(static_cast<std::uint64_t>(share.nodeIds[i]) -
+                                                    static_cast<std::uint64_t>(share.firstNode) - i);
       least = std::min(least, offset);
-      negatedMost = std::min(negatedMost, -offset);
+      complementOfMost = std::min(complementOfMost, ~offset);
     }
     least = ranks.least(least);
-    if (least == -ranks.least(negatedMost)) {
+    if (least == ~ranks.least(complementOfMost)) {
       offset_ = least;
       return;
     }
@@ -57,7 +59,6 @@ class NodeDirectory {
     std::vector<std::int64_t> places;
     places.reserve(ids.size());
     for (const std::int64_t id : ids) {
-      // Any number may stand in a file: unsigned, so that none overflows.
       const std::uint64_t place = static_cast<std::uint64_t>(id) - static_cast<std::uint64_t>(*offset_);
       places.push_back(place < static_cast<std::uint64_t>(allNodes_) ? static_cast<std::int64_t>(place) : none);
     }
