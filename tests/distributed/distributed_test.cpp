@@ -184,6 +184,12 @@ class Distributed {
 bool sameBits(const double* a, const double* b, std::size_t count) {
   return std::memcmp(a, b, count * sizeof(double)) == 0;
 }
+/// Whether a test has failed on a rank: one that stopped alone would leave the others waiting.
+bool failedSomewhere() {
+  int failed = ::testing::Test::HasFailure() ? 1 : 0, any = 0;
+  MPI_Allreduce(&failed, &any, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
+  return any != 0;
+}
 std::string textOf(const MonitorReport& report) {
   char text[400];
   std::snprintf(text, sizeof text, "%a %a %a %d:%d %s %zu", report.certified,
@@ -210,7 +216,7 @@ int trials(int atLeast) {
 /// rank.
 TEST(Distributed, HasTheBitsOfOneRankForAnyPartition) {
   constexpr int steps = 12;
-  for (int k = 0; k < trials(25); ++k) {
+  for (int k = 0; k < trials(25) && !failedSomewhere(); ++k) {
     const std::uint64_t seed = 100 + static_cast<std::uint64_t>(k);
     Random random(seed);
     const int count = 1 + random.index(worldSize()), threads = 1 + random.index(2);
@@ -237,6 +243,8 @@ TEST(Distributed, HasTheBitsOfOneRankForAnyPartition) {
       const RankEnergies one = whole.energies(), all = early ? parts.energies() : one;
       EXPECT_TRUE(sameBits(&one.kinetic, &all.kinetic, 1) && sameBits(&one.strain, &all.strain, 1)) << trial.what;
       integrator->advance(system, state, h);
+      // Beyond that the order of terms decides whether an overflow is infinite or not a number; a run ends there.
+      if (!state.x.allFinite() || !state.v.allFinite()) break;
       bool same = true;
       for (std::int32_t i = 0; i < (early ? parts.part().body().nodeCount() : parts.part().ownedNodes()); ++i)
         same &= sameBits(parts.state().x.col(i).data(), state.x.col(parts.part().globalNode(i)).data(), 3);
@@ -245,10 +253,6 @@ TEST(Distributed, HasTheBitsOfOneRankForAnyPartition) {
       EXPECT_TRUE(same) << trial.what << ", step " << step << ", " << count << " ranks, " << threads << " threads";
       if (state.lag != 0) complete(system, state);
     }
-    // A rank that stopped would leave the others waiting.
-    int failed = ::testing::Test::HasFailure() ? 1 : 0, any = 0;
-    MPI_Allreduce(&failed, &any, 1, MPI_INT, MPI_MAX, some.get());
-    if (any != 0) break;
   }
 }
 
