@@ -7,7 +7,7 @@ namespace ringwatch {
 void throwFirst(Ranks& ranks, std::int64_t order, const std::function<std::string()>& text) {
   const std::int64_t first = ranks.least(order);
   if (first == noFault) return;
-  const auto from = static_cast<int>(ranks.least(order == first ? ranks.rank() : ranks.size()));
+  const auto from = ranks.firstWhere(order == first);
   throw InputError(ranks.shareText(ranks.rank() == from ? text() : "", from));
 }
 

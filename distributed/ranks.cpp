@@ -70,6 +70,8 @@ std::int64_t Ranks::least(std::int64_t number) {
   return least;
 }
 
+int Ranks::firstWhere(bool yes) { return static_cast<int>(least(yes ? rank_ : size_)); }
+
 void Ranks::share(void* data, std::size_t bytes, int from) {
   constexpr std::size_t most = std::size_t{1} << 30;  // an int counts the bytes of a message
   for (std::size_t begin = 0; begin < bytes; begin += most)

@@ -35,6 +35,8 @@ class Ranks {
   void sum(std::span<ExactSum> sums);
   /// The least of all ranks.
   std::int64_t least(std::int64_t number);
+  /// The first rank that says yes; size() where none does.
+  int firstWhere(bool yes);
   /// A rank's bytes, on all of them.
   void share(void* data, std::size_t bytes, int from);
   /// A rank's text, on all of them.

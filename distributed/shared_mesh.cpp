@@ -159,7 +159,7 @@ SharedMesh shareMesh(Ranks& ranks, ReadShare share) {
   if (mesh.droppedNodes > 0) {
     const auto unused = std::find(used.begin(), used.end(), false) - used.begin();
     const bool some = unused < static_cast<std::ptrdiff_t>(used.size());
-    const auto from = static_cast<int>(ranks.least(some ? ranks.rank() : ranks.size()));
+    const auto from = ranks.firstWhere(some);
     if (from == ranks.rank()) mesh.firstDroppedNode = share.nodeIds[static_cast<std::size_t>(unused)];
     ranks.share(&mesh.firstDroppedNode, sizeof mesh.firstDroppedNode, from);
   }

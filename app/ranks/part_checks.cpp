@@ -190,7 +190,7 @@ void requireSoundPart(Ranks& ranks, const RankPart& part, const std::string& sou
   while (texts.size() < detail::shownProblems && static_cast<std::int64_t>(texts.size()) < count) {
     const std::int64_t next = told < own.size() ? own[told].order : noFault;
     const bool mine = ranks.least(next) == next && next != noFault;
-    const auto from = static_cast<int>(ranks.least(mine ? ranks.rank() : ranks.size()));
+    const auto from = ranks.firstWhere(mine);
     texts.push_back(ranks.shareText(mine ? own[told].text : "", from));
     if (mine) ++told;
   }

@@ -110,7 +110,7 @@ void RankImex::begin(const Place& place) {
 }
 
 StepStatus RankImex::step(State& state, double h) {
-  const State before = state;
+  before_ = state;
   for (HandledWork& work : works_) work.mark();
   system_->beginStep(baseAcceleration_.cols() == 0);
   state.a.swap(baseAcceleration_);
@@ -126,12 +126,11 @@ StepStatus RankImex::step(State& state, double h) {
   }
   Ranks& ranks = place_->ranks;
   if (const std::optional<ElementRef> first = ranks.first(failed)) {
-    state = before;
+    state = before_;
     for (HandledWork& work : works_) work.revert();
     baseAcceleration_.resize(3, 0);
     place_->integrator.reset();
-    const std::int64_t teller = ranks.least(failed == first ? ranks.rank() : ranks.size());
-    return {false, ranks.shareText(reason, static_cast<int>(teller))};
+    return {false, ranks.shareText(reason, ranks.firstWhere(failed == first))};
   }
   place_->halo.begin(state.x);
   return {};

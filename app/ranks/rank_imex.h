@@ -46,6 +46,7 @@ class RankImex final : public RankHandler {
   std::optional<LeastDeterminant> determinants_;
   std::unique_ptr<System> system_;
   NodeVectors baseAcceleration_ = NodeVectors(3, 0);  // State::a of the scheme on that system
+  State before_;                                      // the step that is being taken
   EventTracker tracker_;
 };
 

@@ -106,7 +106,7 @@ class MeshInParts final : public InspectedParts {
     for (std::size_t e = 0; e < mesh.blocks[element.block].elementCount() && !local; ++e)
       if (const ElementRef own(element.block, e); body_->globalElement(own) == element && body_->counts(own))
         local = own;
-    const auto from = static_cast<int>(ranks_.least(local ? ranks_.rank() : ranks_.size()));
+    const auto from = ranks_.firstWhere(static_cast<bool>(local));
     std::string json;
     if (local) {
       figures.json = elementJson(mesh, *local);

@@ -17,7 +17,7 @@ void endAll(const Ranks& ranks, const char* fault) {
 
 void requireNoFault(Ranks& ranks, const RankFault& own) {
   const bool failed = own.status != ExitStatus::done;
-  const auto first = static_cast<int>(ranks.least(failed ? ranks.rank() : ranks.size()));
+  const auto first = ranks.firstWhere(failed);
   if (first == ranks.size()) return;
   const bool all = ranks.least(failed ? 1 : 0) == 1;
   auto status = static_cast<int>(own.status);

@@ -39,6 +39,17 @@ std::string quoted(std::string_view word);
 /// With A to Z in place of a to z; other bytes stay.
 std::string inUpperCase(std::string_view word);
 
+/// The raw number at a position of bytes, which hold it; swapBytes: it comes from a machine of the other byte order.
+template <class T>
+T rawAt(std::string_view bytes, std::size_t position, bool swapBytes) {
+  char raw[sizeof(T)];
+  std::memcpy(raw, bytes.data() + position, sizeof(T));
+  if (swapBytes) std::reverse(raw, raw + sizeof(T));
+  T value;
+  std::memcpy(&value, raw, sizeof(T));
+  return value;
+}
+
 /// Reads the bytes of a mesh file: words and numbers of lines, or raw values. Every failure is an InputError that
 /// begins with the file and the line (the byte in a binary file).
 class FileCursor {
@@ -146,12 +157,7 @@ class FileCursor {
   template <class T>
   T raw(std::string_view what) {
     if (remaining() < sizeof(T)) fail(joinText("the file ends where ", what, " is expected"));
-    char bytes[sizeof(T)];
-    std::memcpy(bytes, text_.data() + position_, sizeof(T));
-    if (swapBytes)
-      for (std::size_t i = 0; i < sizeof(T) / 2; ++i) std::swap(bytes[i], bytes[sizeof(T) - 1 - i]);
-    T value;
-    std::memcpy(&value, bytes, sizeof(T));
+    const T value = rawAt<T>(text_, position_, swapBytes);
     position_ += sizeof(T);
     return value;
   }

@@ -1,13 +1,12 @@
 #pragma once
 #include <cstdint>
-#include <cstring>
 #include <filesystem>
 #include <map>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
+#include <ringwatch/meshes/formats/file_cursor.h>
 #include <ringwatch/meshes/formats/mesh_builder.h>
 
 namespace ringwatch::detail {
@@ -40,13 +39,7 @@ struct MshOutline {
   /// The raw number at a position of the file's bytes.
   template <class T>
   T at(std::string_view bytes, std::size_t position) const {
-    char raw[sizeof(T)];
-    std::memcpy(raw, bytes.data() + position, sizeof(T));
-    if (swapBytes)
-      for (std::size_t i = 0; i < sizeof(T) / 2; ++i) std::swap(raw[i], raw[sizeof(T) - 1 - i]);
-    T value;
-    std::memcpy(&value, raw, sizeof(T));
-    return value;
+    return rawAt<T>(bytes, position, swapBytes);
   }
   /// "file: byte n"
   static std::string where(const std::string& source, std::size_t position) {
