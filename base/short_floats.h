@@ -60,7 +60,11 @@ RINGWATCH_INLINE NativeFloats belowInSingle(NativePack values) {
 /// Single precision at or below a number; NaN stays.
 inline float singleAtOrBelow(double number) {
   const auto near = static_cast<float>(number);
-  return static_cast<double>(near) > number ? std::nextafter(near, -std::numeric_limits<float>::infinity()) : near;
+  if (!(static_cast<double>(near) > number)) return near;
+  // The next one below, as std::nextafter has it, which is a call into the library.
+  constexpr std::uint32_t leastNegative = 0x80000001U;
+  const auto bits = bitCast<std::uint32_t>(near);
+  return bitCast<float>(near > 0 ? bits - 1 : near < 0 ? bits + 1 : leastNegative);
 }
 }  // namespace detail
 

@@ -21,6 +21,8 @@
 #include <ringwatch/monitor/bounds/lanczos_bound.h>
 #include <ringwatch/monitor/bounds/reduced_ring.h>
 #include <ringwatch/monitor/critical_step.h>
+#include <ringwatch/monitor/incremental/run_certificate.h>
+#include <ringwatch/monitor/incremental/work_account.h>
 #include <ringwatch/monitor/metrics/metrics.h>
 #include <ringwatch/monitor/stability_monitor.h>
 
@@ -262,6 +264,49 @@ void watchedRun(benchmark::State& state, const Case& c, int split, double jitter
   }
 }
 
+/// Evaluations of so many elements after a force of the whole body, or looks whether their balls can grow, in units of
+/// WorkAccount an element: beside each other, or anywhere. What the account counts for it.
+void singleElements(benchmark::State& state, const Case& c, int count, bool beside, bool growth) {
+  constexpr int samples = 41;
+  const int perCell = c.element == "tet4" ? 5 : c.element == "wedge6" ? 2 : 1;
+  const Body body(makeBar(c, perCell, jittered), makeMaterial(c.law, 30e3, 0.3, 1000),
+                  {{}, Lumping::rowSum, c.threads});
+  NodeVectors x = body.mesh().X;
+  x.row(0) *= 1.02;  // so that gradients are not those of the reference
+  RunCertificate certificate(body);
+  certificate.weights().reset();
+  certificate.weights().evaluate(x, 2, NodalBound::Start::rows, 0.01, SweepTarget{});
+  certificate.setCertifiedEigenvalue(certificate.weights().last() * 1.2);
+  certificate.distributeAllowances(x, true);
+  const auto elements = static_cast<std::int32_t>(body.mesh().elementCount());
+  Random random(1);
+  StepEvaluation force;
+  Body::Workspace workspace;
+  std::vector<RunCertificate::Reference> results;
+  std::vector<double> forces, singles;
+  double counted = 0;
+  for (auto _ : state)
+    for (int sample = 0; sample < samples; ++sample) {
+      std::vector<ElementRef> chosen;
+      const std::int32_t start = random.index(elements - count);
+      for (int k = 0; k < count; ++k) chosen.push_back({0, beside ? start + k : random.index(elements)});
+      const double before = cpuSeconds();
+      body.evaluate(x, force, workspace);
+      const double between = cpuSeconds();
+      if (growth)
+        certificate.growBalls(x, chosen);
+      else
+        certificate.evaluate(x, chosen, false, results);
+      singles.push_back(cpuSeconds() - between);
+      forces.push_back(between - before);
+      counted = growth ? WorkAccount::ofGrowth(body, chosen) : WorkAccount::ofEvaluation(body, chosen);
+    }
+  std::nth_element(forces.begin(), forces.begin() + samples / 2, forces.end());
+  std::nth_element(singles.begin(), singles.begin() + samples / 2, singles.end());
+  state.counters["units"] = singles[samples / 2] / forces[samples / 2] * WorkAccount::ofForce(body) / count;
+  state.counters["counted"] = counted / count;
+}
+
 /// A pull of 80 % a second, eight times slower, and by a step that leaves less room, for every budget.
 void addWatchedRuns(const Case& c) {
   constexpr double unlimited = infinity;
@@ -316,6 +361,18 @@ void addRunsOfTables() {
 
 void registerAll() {
   addRunsOfTables();
+  for (const char* element : {"tet4", "hex8", "wedge6"})
+    for (const bool growth : {false, true})
+      for (const bool beside : {true, false})
+        for (const auto& [elements, count] :
+             {std::pair{5000, 1}, {5000, 64}, {100000, 1}, {100000, 8}, {100000, 64}, {100000, 512}}) {
+          const Case c{element, elements, "stvk", 1};
+          const std::string name = joinText("singles/", growth ? "growth" : "evaluation", beside ? "/beside" : "/far",
+                                            "/", count, "/", c.name());
+          benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) {
+            singleElements(state, c, count, beside, growth);
+          })->Iterations(1);
+        }
   for (const ElementInfo& element : allElements())
     for (const int elements : {5000, 20000, 100000})
       for (const int threads : {1, 2}) {

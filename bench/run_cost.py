@@ -57,11 +57,12 @@ picture = false
 CELL = 0.01  # m
 
 
-def run(program, folder, scene, variant, threads):
+def run(program, folder, scene, keys, threads):
+    """The summary of a run; keys: of the scene, set to other values."""
     path = folder / "scene.toml"
     path.write_text(scene)
     command = [program, "run", path, "--out", folder / "out", "--threads", str(threads), "--quiet"]
-    for key, value in VARIANTS[variant].items():
+    for key, value in keys.items():
         command += ["--set", f"{key}={value}"]
     status = subprocess.run(command, check=False).returncode
     if status not in (0, 1, 3):  # stable, unstable, never certified
@@ -74,21 +75,28 @@ def half_spread(values):
     return (high - low) / 2
 
 
+def times_of_step(program, folder, scene_of, variants, step, steps, rounds, threads):
+    """Seconds of a step, and of the start, by variant: a list of one number a round. scene_of: of the end of the run, s."""
+    seconds = {name: [] for name in variants}
+    starts = {name: [] for name in variants}
+    for _ in range(rounds):
+        for name, keys in variants.items():
+            short, full = (run(program, folder, scene_of(step * count), keys, threads)["wall_time"]["total"]
+                           for count in (steps, 2 * steps))
+            seconds[name].append((full - short) / steps)
+            starts[name].append(2 * short - full)
+    return seconds, starts
+
+
 def measure(arguments, folder, case, pull):
     element, split, jitter = CASES[case]
     long, width = 5 * arguments.cells, arguments.cells * CELL
     keys = {"length": long * CELL, "width": width, "long": long, "cells": arguments.cells, "element": element, "split": split,
             "jitter": jitter, "speed": PULLS[pull] * long * CELL}
-    first = run(arguments.program, folder, SCENE.format(step='"auto"', end=1e-9, **keys), "default", arguments.threads)
+    first = run(arguments.program, folder, SCENE.format(step='"auto"', end=1e-9, **keys), {}, arguments.threads)
     step = 0.5 * first["safe_seen"]["least"]
-    seconds = {name: [] for name in VARIANTS}
-    starts = {name: [] for name in VARIANTS}
-    for _ in range(arguments.rounds):
-        for name in VARIANTS:
-            short, full = (run(arguments.program, folder, SCENE.format(step=step, end=step * steps, **keys), name, arguments.threads)["wall_time"]["total"]
-                           for steps in (arguments.steps, 2 * arguments.steps))
-            seconds[name].append((full - short) / arguments.steps)
-            starts[name].append(2 * short - full)
+    seconds, starts = times_of_step(arguments.program, folder, lambda end: SCENE.format(step=step, end=end, **keys), VARIANTS, step,
+                                    arguments.steps, arguments.rounds, arguments.threads)
     elements = sum(first["mesh"]["elements"].values())
     plain = statistics.median(seconds["plain"])
     row = [f"{case}, {pull}", f"{elements}", f"{1e9 * plain / elements:.1f} ± {1e9 * half_spread(seconds['plain']) / elements:.1f}"]

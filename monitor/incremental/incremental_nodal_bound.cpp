@@ -77,13 +77,19 @@ IncrementalNodalBound::Outcome IncrementalNodalBound::follow(NodeVectorsView x, 
 
 std::vector<ElementRef> IncrementalNodalBound::raiseForMost(NodeVectorsView x, const std::vector<ElementRef>& outside,
                                                             double ceiling) {
-  const std::vector<RunCertificate::Leaver> leavers = state_.growBalls(x, outside);
+  std::vector<RunCertificate::Leaver> leavers = state_.growBalls(x, outside);
+  // The neediest first, of which there are few before a raise serves the rest.
+  std::make_heap(leavers.begin(), leavers.end());
   const double top = ceiling / certifiedEigenvalue();
   std::vector<ElementRef> evaluated;
+  std::vector<std::size_t> counts(body_.blocks().size(), 0);  // of evaluated, by block
+  const auto workOf = [&](ElementRef e) {
+    return WorkAccount::ofEvaluation(*body_.blocks()[e.block], counts[e.block]);
+  };
   double needed = 0;
-  auto leaver = leavers.begin();
-  for (; leaver != leavers.end(); ++leaver) {
-    const double own = WorkAccount::ofEvaluation(body_, {&leaver->element, 1});
+  for (; !leavers.empty(); std::pop_heap(leavers.begin(), leavers.end()), leavers.pop_back()) {
+    const RunCertificate::Leaver* const leaver = &leavers.front();
+    const double own = workOf(leaver->element);
     const bool far = leaver->need > policy_.mostRaise, forProof = leaver->need > top;
     const double credit = far ? account_->credit() : 0;
     // A raise would cost more than a few evaluations.
@@ -95,14 +101,17 @@ std::vector<ElementRef> IncrementalNodalBound::raiseForMost(NodeVectorsView x, c
     else
       break;
     evaluated.push_back(leaver->element);
+    ++counts[leaver->element.block];
   }
-  if (leaver == leavers.end()) return evaluated;
-  state_.moveTo(std::max(leaver->need, policy_.raise) * certifiedEigenvalue());
+  if (leavers.empty()) return evaluated;
+  state_.moveTo(std::max(leavers.front().need, policy_.raise) * certifiedEigenvalue());
   ++state_.statistics().raises;
-  for (auto refused = leaver; refused != leavers.end(); ++refused)
-    account_->refuse(WorkAccount::ofEvaluation(body_, {&refused->element, 1}));
+  for (const RunCertificate::Leaver& refused : leavers) {
+    account_->refuse(workOf(refused.element));
+    ++counts[refused.element.block];
+  }
   account_->ballsGrow();
-  state_.growBalls({leaver, leavers.end()});
+  state_.growBalls(leavers);
   return evaluated;
 }
 

@@ -300,10 +300,8 @@ void RunBracket::searchUnderCompression(NodeVectorsView x) {
   search_.tick();
   const double growth = account_.limited() ? policy_.growthInShortage : policy_.growthOfCompression;
   const bool grown = compression > growth * searchedAt_ && search_.since() >= policy_.searchGap;
-  // What may be an event soon is searched whatever the account has.
   const int later = account_.limited() ? policy_.searchInShortage : policy_.laterSearch;
-  const bool may =
-      (grown && compression > policy_.compressed) || affordsSearch(WorkAccount::ofProducts(body_, later + 1));
+  const bool may = affordsSearch(WorkAccount::ofProducts(body_, later + 1));
   const bool search = compression > policy_.slightlyCompressed && (grown || search_.due()) && may;
   if (search) {
     const bool wide = !softest_.found() && affordsSearch(WorkAccount::ofProducts(body_, policy_.firstSearch + 1));

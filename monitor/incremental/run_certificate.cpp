@@ -232,10 +232,10 @@ std::vector<RunCertificate::Leaver> RunCertificate::growBalls(NodeVectorsView x,
       const TangentGrowth growth = blocks_[b].growth(place);
       double need = (1 + radiusRounding) * (blocks_[b].rateHasRisen(place) ? infinity : growth.at(radius));
       const bool inversionEndsBall = radius > blocks_[b].inversionDistance[place] && drift[lane].determinant > 0;
-      const double here = (1 + radiusRounding) * growth.at(distance + drift[lane].gradientRounding);
-      if (inversionEndsBall && need <= allowance({b, pack[lane]}) &&
-          !moveBall({b, pack[lane]}, F.data(), lane, drift[lane], here))
-        need = infinity;
+      if (inversionEndsBall && need <= allowance({b, pack[lane]})) {
+        const double here = (1 + radiusRounding) * growth.at(distance + drift[lane].gradientRounding);
+        if (!moveBall({b, pack[lane]}, F.data(), lane, drift[lane], here)) need = infinity;
+      }
       needs_[index[lane]] = {need, drift[lane]};
     }
   });
@@ -248,9 +248,6 @@ std::vector<RunCertificate::Leaver> RunCertificate::growBalls(NodeVectorsView x,
   }
   statistics_.work[WorkOn::evaluations] += WorkAccount::ofGrowth(body(), elements);
   growBalls(grown);
-  std::sort(others.begin(), others.end(), [](const Leaver& a, const Leaver& other) {
-    return a.need != other.need ? a.need > other.need : a.element < other.element;
-  });
   return others;
 }
 

@@ -47,10 +47,14 @@ class RunCertificate : public CertificateState<RoundedDown<float>> {
   struct Leaver {
     ElementRef element;
     double need;
+    /// Whether another one is needier, so that a heap has the neediest in front.
+    bool operator<(const Leaver& other) const {
+      return need != other.need ? need < other.need : other.element < element;
+    }
   };
   /// Gives elements that have left their balls the balls that their allowances have room for, about their gradients at
-  /// x where inversion ended them, and returns those for which that is not enough, the neediest first. Evaluates no
-  /// element. Inverted ones stay outside. x: the positions of the last elementsOutsideBall.
+  /// x where inversion ended them, and returns those for which that is not enough. Evaluates no element. Inverted ones
+  /// stay outside. x: the positions of the last elementsOutsideBall.
   std::vector<Leaver> growBalls(NodeVectorsView x, const std::vector<ElementRef>& elements);
   /// The same for leavers once their needs are served by a raise.
   void growBalls(std::span<const Leaver> leavers);

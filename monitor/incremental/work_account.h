@@ -7,6 +7,7 @@
 #include <iterator>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include <ringwatch/body/body.h>
 
@@ -46,8 +47,8 @@ struct Work {
 /// counted, not timed, so that runs repeat bit by bit, in units of some 3.5 ns of a table that holds within a half for
 /// every element with St. Venant-Kirchhoff: an element of n nodes and q quadrature points takes (2 + 0.3 n) q units for
 /// its force, 0.4 n q where that goes one direction after the other, and (3n)³/26 for an evaluation among all others,
-/// which is the highest eigenvalue of a 3n×3n matrix: a tet4 21 forces, a hex8 21, a hex20 38. Single elements along a
-/// run are read from all over memory, and take more.
+/// which is the highest eigenvalue of a 3n×3n matrix: a tet4 21 forces, a hex8 21, a hex20 38. Of single elements along
+/// a run a pack takes as long as one, and the first is far from what the run has just computed, in code and in memory.
 ///
 /// Tests of validity balls and of all numbers for being finite, which no observation can do without, come off the
 /// income first; a part of it is there for the rest in any case. That is divided, so that nothing starves the rest: for
@@ -117,19 +118,22 @@ class WorkAccount {
   static double ofEvaluation(const Body& body) {
     return sum(body, [](const ElementBlock& block) { return ofEvaluation(block); });
   }
-  static double ofEvaluation(const Body& body, std::span<const ElementRef> elements) {
-    double work = 0;
-    for (const ElementRef e : elements) {
-      const ElementBlock& block = *body.blocks()[e.block];
-      work += ofEvaluation(block) + unitsOfFetching + ofGradients(block);
-    }
-    return work;
+  /// One more element of a block, besides so many others at the same observation.
+  static double ofEvaluation(const ElementBlock& block, std::size_t others) {
+    return ofSingle(evaluationOfSingles, block, others) + (others % lanes == 0 ? lanes * ofEvaluation(block) : 0);
   }
-  /// Of looking whether a ball can grow: gradients, the stored ones too, and the law's coefficients.
+  /// The same, of looking whether a ball can grow: gradients, the stored ones too, and the law's coefficients.
+  static double ofGrowth(const ElementBlock& block, std::size_t others) {
+    return ofSingle(growthOfSingles, block, others);
+  }
+  /// Some elements at one observation.
+  static double ofEvaluation(const Body& body, std::span<const ElementRef> elements) {
+    return ofSingles(body, elements,
+                     [](const ElementBlock& block, std::size_t others) { return ofEvaluation(block, others); });
+  }
   static double ofGrowth(const Body& body, std::span<const ElementRef> elements) {
-    double work = 0;
-    for (const ElementRef e : elements) work += unitsOfGrowth + ofGradients(*body.blocks()[e.block]);
-    return work;
+    return ofSingles(body, elements,
+                     [](const ElementBlock& block, std::size_t others) { return ofGrowth(block, others); });
   }
   /// Allowances for all elements; strain norms as well where weights are new.
   static double ofDistribution(const Body& body, bool newWeights) {
@@ -218,8 +222,25 @@ class WorkAccount {
   bool has(double purse, double work) const { return !limited() || (income_ > 0 && purse >= work); }
   /// What is owed beyond that is forgiven: it would stop all that makes a bound narrower for the rest of a run.
   double mostOwed() const { return mostOwedOfEvaluation * evaluation_; }
-  static double ofGradients(const ElementBlock& block) {
-    return unitsOfGradient * static_cast<double>(block.rule().points.size());
+  /// Work on what is in no cache: of the first element at an observation, of a pack and of each element, with so much
+  /// more for each quadrature point.
+  struct Singles {
+    double first, firstPoint, pack, packPoint, each, eachPoint;
+  };
+  /// Less in blocks whose force leaves something in the caches.
+  static double ofSingle(const Singles& of, const ElementBlock& block, std::size_t others) {
+    const auto points = static_cast<double>(block.rule().points.size()),
+               force = static_cast<double>(block.elementCount()) * ofForce(block);
+    return std::clamp(force / forceOfCaches, leastOfSingles, 1.0) *
+           ((others == 0 ? of.first + of.firstPoint * points : 0) +
+            (others % lanes == 0 ? of.pack + of.packPoint * points : 0) + of.each + of.eachPoint * points);
+  }
+  template <class Of>
+  static double ofSingles(const Body& body, std::span<const ElementRef> elements, const Of& of) {
+    std::vector<std::size_t> counts(body.blocks().size(), 0);
+    double work = 0;
+    for (const ElementRef e : elements) work += of(*body.blocks()[e.block], counts[e.block]++);
+    return work;
   }
   template <class Of>
   static double sum(const Body& body, const Of& of) {
@@ -233,8 +254,13 @@ class WorkAccount {
   // pyramids and 40 000 hexahedra. evaluationsOfRebuild: 6 to 14 of them, with their strain norms.
   static constexpr double evaluationsOfTangent = 0.4, evaluationsOfRebuild = 12, forcesOfProduct = 1.9,
                           dearerInRegion = 1.3;
-  static constexpr double unitsOfFetching = 100, unitsOfGrowth = 80, unitsOfGradient = 55, unitsOfRing = 12000,
-                          unitsOfEigenvectors = 1.2;
+  // Of tet4, hex8 and wedge6, neighbours and far from each other, in blocks of 1000 to 100 000
+  // (`ringwatch_bench_monitor --benchmark_filter=singles`).
+  static constexpr double forceOfCaches = 130000, leastOfSingles = 0.1;
+  static constexpr Singles evaluationOfSingles{
+      .first = 2000, .firstPoint = 550, .pack = 600, .packPoint = 0, .each = 60, .eachPoint = 5},
+      growthOfSingles{.first = 1600, .firstPoint = 130, .pack = 320, .packPoint = 110, .each = 20, .eachPoint = 5};
+  static constexpr double unitsOfRing = 12000, unitsOfEigenvectors = 1.2;
   static constexpr double evaluationsOfDecomposition = 2.8, evaluationsOfFactorisation = 2.8;
   static constexpr double evaluationsOfShares = 26, evaluationsOfIteration = 4.7;
   static constexpr double unitsOfMove = 1.6, unitsOfNode = 0.25;

@@ -143,8 +143,14 @@ TEST(WorkAccount, EarnsSpendsAndForgives) {
   const double evaluation = 1728.0 / 26 * elements, force = 3.2 * elements;
   EXPECT_NEAR(WorkAccount::ofEvaluation(body), evaluation, 1e-12 * evaluation);
   EXPECT_NEAR(WorkAccount::ofForce(body), force, 1e-12 * force);
-  // Single elements are fetched: 120 units.
-  EXPECT_NEAR(WorkAccount::ofEvaluation(body, std::vector<ElementRef>{{0, 0}, {0, 1}}), 2 * (1728.0 / 26 + 155), 1e-10);
+  // Of single elements the first and each pack take as much as several: 2550 and 600 units, and 65 each, where the body
+  // is too large for the caches.
+  const double cold = force / 130000;
+  const std::vector<ElementRef> few{{0, 0}, {0, 1}, {0, 2}};
+  EXPECT_NEAR(WorkAccount::ofEvaluation(body, few), cold * (3150 + 3 * 65) + lanes * 1728.0 / 26, 1e-9);
+  EXPECT_NEAR(WorkAccount::ofGrowth(body, few), cold * (1730 + 430 + 3 * 25), 1e-9);
+  EXPECT_NEAR(WorkAccount::ofEvaluation(*body.blocks()[0], 1), cold * 65, 1e-9);
+  EXPECT_NEAR(WorkAccount::ofEvaluation(*body.blocks()[0], lanes), cold * 665 + lanes * 1728.0 / 26, 1e-9);
   WorkAccount account(body, 0.5);
   EXPECT_TRUE(account.limited());
   // A hundred steps' share of the proven side is there in advance.
