@@ -14,9 +14,10 @@ namespace ringwatch {
 /// of negative stiffness (Theorem 11, docs/theory/rings_and_rayleigh.md). Where some element is
 /// compressed by more than 1e-3 of λ+2μ, the monitor searches for a direction of negative stiffness in the whole body:
 /// 48 tangent products at the first evaluation; 12, from the direction found last, when compression has grown by half
-/// since the last search; and else after 80, 160, … 2560 evaluations. With a compression above 0.05 it also evaluates
-/// 32 reduced 1-rings at each of these and after 10 evaluations. A mode that is far softer than the elements, as of a
-/// slender bar that buckles, can be missed; what is told is proven.
+/// since the last search; and else after 80, 160, … 2560 evaluations. With a budget (MonitorOptions) searches are of 6,
+/// when compression has doubled and there are means for them. With a compression above 0.05 it also evaluates
+/// 32 reduced 1-rings at each of these and after 10 evaluations, with a budget as many as there are means for. A mode
+/// that is far softer than the elements, as of a slender bar that buckles, can be missed; what is told is proven.
 /// eroded: elements have left the body. It is told by the run that takes them out, not by a monitor.
 enum class EventKind { violated, energyBalance, inverted, nonFinite, indefinite, eroded };
 inline constexpr auto eventNames = nameTable<EventKind>({

@@ -60,8 +60,8 @@ struct BracketPolicy {
   std::size_t compressedRings = 16;
   /// Tangent products of the first search, of the others, and of these where means are short.
   int firstSearch = 48, laterSearch = 12, searchInShortage = 6;
-  /// Growth of compression since the last search that asks for one, after searchGap evaluations, also where means are
-  /// short; else searches become more and more seldom.
+  /// Growth of compression since the last search that asks for one, after searchGap evaluations, and the same where
+  /// means are short; else searches become more and more seldom.
   double growthOfCompression = 1.5, growthInShortage = 2;
   int searchGap = 40;
   Backoff::Gaps searches{.first = 160, .last = 2560, .factor = 2};
