@@ -359,20 +359,25 @@ void addRunsOfTables() {
   }
 }
 
-void registerAll() {
-  addRunsOfTables();
+void addSingleElements() {
   for (const char* element : {"tet4", "hex8", "wedge6"})
     for (const bool growth : {false, true})
       for (const bool beside : {true, false})
         for (const auto& [elements, count] :
              {std::pair{5000, 1}, {5000, 64}, {100000, 1}, {100000, 8}, {100000, 64}, {100000, 512}}) {
           const Case c{element, elements, "stvk", 1};
-          const std::string name = joinText("singles/", growth ? "growth" : "evaluation", beside ? "/beside" : "/far",
-                                            "/", count, "/", c.name());
-          benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) {
-            singleElements(state, c, count, beside, growth);
-          })->Iterations(1);
+          benchmark::RegisterBenchmark(
+              joinText("singles/", growth ? "growth" : "evaluation", beside ? "/beside" : "/far", "/", count, "/",
+                       c.name())
+                  .c_str(),
+              [=, chosen = count](benchmark::State& state) { singleElements(state, c, chosen, beside, growth); })
+              ->Iterations(1);
         }
+}
+
+void registerAll() {
+  addRunsOfTables();
+  addSingleElements();
   for (const ElementInfo& element : allElements())
     for (const int elements : {5000, 20000, 100000})
       for (const int threads : {1, 2}) {
