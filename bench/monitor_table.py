@@ -166,8 +166,8 @@ def row_of_scene(program, folder, mesh, keys, nodes, load, text):
              "{bottom}": f"{min(n[2] for n in nodes):.17g}", "{speed}": f"{0.1 * (high - low):.17g}"}
     for word, value in place.items():
         text = text.replace(word, value)
-    scene = lambda step, end: SCENE.format(mesh=keys, load=text, step=step, end=end, **MATERIAL)
-    first = run_cost.run(program, folder, scene('"auto"', 1e-9), {}, 1)
+    scene = lambda step, end, load=text: SCENE.format(mesh=keys, load=load, step=step, end=end, **MATERIAL)
+    first = run_cost.run(program, folder, scene('"auto"', 1e-9, ""), {}, 1)
     step = 0.5 * first["safe_seen"]["least"]
     seconds, _ = run_cost.times_of_step(program, folder, lambda end: scene(step, end), {"plain": PLAIN, "watched": WATCHED}, step,
                                         STEPS, ROUNDS, 1)
