@@ -266,11 +266,9 @@ void watchedRun(benchmark::State& state, const Case& c, int split, double jitter
 
 /// Evaluations of so many elements after a force of the whole body, or looks whether their balls can grow, in units of
 /// WorkAccount an element: beside each other, or anywhere. What the account counts for it.
-void singleElements(benchmark::State& state, const Case& c, int count, bool beside, bool growth) {
+void singleElements(benchmark::State& state, const Case& c, int split, int count, bool beside, bool growth) {
   constexpr int samples = 41;
-  const int perCell = c.element == "tet4" ? 5 : c.element == "wedge6" ? 2 : 1;
-  const Body body(makeBar(c, perCell, jittered), makeMaterial(c.law, 30e3, 0.3, 1000),
-                  {{}, Lumping::rowSum, c.threads});
+  const Body body(makeBar(c, split, jittered), makeMaterial(c.law, 30e3, 0.3, 1000), {{}, Lumping::rowSum, c.threads});
   NodeVectors x = body.mesh().X;
   x.row(0) *= 1.02;  // so that gradients are not those of the reference
   RunCertificate certificate(body);
@@ -360,17 +358,18 @@ void addRunsOfTables() {
 }
 
 void addSingleElements() {
-  for (const char* element : {"tet4", "hex8", "wedge6"})
+  for (const auto& [element, split] : {std::pair{"tet4", 5}, {"hex8", 1}, {"wedge6", 2}})
     for (const bool growth : {false, true})
       for (const bool beside : {true, false})
         for (const auto& [elements, count] :
              {std::pair{5000, 1}, {5000, 64}, {100000, 1}, {100000, 8}, {100000, 64}, {100000, 512}}) {
           const Case c{element, elements, "stvk", 1};
-          benchmark::RegisterBenchmark(
-              joinText("singles/", growth ? "growth" : "evaluation", beside ? "/beside" : "/far", "/", count, "/",
-                       c.name())
-                  .c_str(),
-              [=, chosen = count](benchmark::State& state) { singleElements(state, c, chosen, beside, growth); })
+          benchmark::RegisterBenchmark(joinText("singles/", growth ? "growth" : "evaluation",
+                                                beside ? "/beside" : "/far", "/", count, "/", c.name())
+                                           .c_str(),
+                                       [=, cut = split, chosen = count](benchmark::State& state) {
+                                         singleElements(state, c, cut, chosen, beside, growth);
+                                       })
               ->Iterations(1);
         }
 }

@@ -63,9 +63,9 @@ SAFE_BEFORE = {
 SLIVERS = "-pO1a4.2e-8"  # switches of TetGen, some 100 000 tetrahedra
 MIXED = (17 * 5, 17, 17)  # cells, 3.75 elements each in the mean
 STEPS, ROUNDS = 1000, 3
-MATERIAL = {"young": "30e3", "poisson": "0.3", "density": "1000"}
-PLAIN = {"output.energy": "false", "monitor.bracket": "false", "output.history_every": "1000000"}
-WATCHED = {"output.energy": "false", "output.history_every": "1000000"}
+PLAIN = run_cost.VARIANTS["plain"]
+WATCHED = {key: value for key, value in PLAIN.items() if key != "monitor.bracket"}
+MATERIAL = {"young": handled_runs.YOUNG, "poisson": handled_runs.POISSON, "density": handled_runs.DENSITY}
 SCENE = """
 [mesh]
 {mesh}
@@ -161,12 +161,9 @@ def print_scenes(program):
 
 
 def row_of_scene(program, folder, mesh, keys, nodes, load, text):
-    low, high = min(n[0] for n in nodes), max(n[0] for n in nodes)
-    place = {"{low}": f"{low:.17g}", "{high}": f"{high:.17g}", "{length}": f"{high - low:.17g}",
-             "{bottom}": f"{min(n[2] for n in nodes):.17g}", "{speed}": f"{0.1 * (high - low):.17g}"}
-    for word, value in place.items():
-        text = text.replace(word, value)
-    scene = lambda step, end, load=text: SCENE.format(mesh=keys, load=load, step=step, end=end, **MATERIAL)
+    low, high, bottom = min(n[0] for n in nodes), max(n[0] for n in nodes), min(n[2] for n in nodes)
+    load_text = text.format(low=low, high=high, length=high - low, bottom=bottom, speed=0.1 * (high - low))
+    scene = lambda step, end, load=load_text: SCENE.format(mesh=keys, load=load, step=step, end=end, **MATERIAL)
     first = run_cost.run(program, folder, scene('"auto"', 1e-9, ""), {}, 1)
     step = 0.5 * first["safe_seen"]["least"]
     seconds, _ = run_cost.times_of_step(program, folder, lambda end: scene(step, end), {"plain": PLAIN, "watched": WATCHED}, step,

@@ -391,9 +391,8 @@ void addMonitor(std::vector<SceneKey>& all) {
                "what the bracket may take after its first observation, as a share of a step's own work, counted; "
                "when it is used up the proof stays and the bracket becomes wider; more is taken only by evaluations of "
                "elements that a raise of the bound does not replace or at a higher cost, and in small bodies, up to "
-               "six "
-               "steps' work, for telling whether a step without a proof is proven unstable; from 100 on there is no "
-               "limit; without the key it is 0.1, and small bodies have no limit before some 0.2 s are taken"},
+               "six steps' work, for telling whether a step without a proof is proven unstable; from 100 on there is "
+               "no limit; without the key it is 0.1, and small bodies have no limit before some 0.2 s are taken"},
           {.key = "certificates",
            .type = T::integer,
            .unit = "observations",

@@ -250,11 +250,11 @@ class WorkAccount {
   }
   static double elements(const Body& body) { return static_cast<double>(body.mesh().elementCount()); }
 
-  // As measured with AVX-512; of single elements, rings and regions along runs of 100 000 tetrahedra, wedges and
+  // As measured with AVX-512; of rings and regions along runs of 100 000 tetrahedra, wedges and
   // pyramids and 40 000 hexahedra. evaluationsOfRebuild: 6 to 14 of them, with their strain norms.
   static constexpr double evaluationsOfTangent = 0.4, evaluationsOfRebuild = 12, forcesOfProduct = 1.9,
                           dearerInRegion = 1.3;
-  // Of tet4, hex8 and wedge6, neighbours and far from each other, in blocks of 1000 to 100 000
+  // Of tet4, hex8 and wedge6, neighbours and far from each other, in blocks of 5000 and 100 000
   // (`ringwatch_bench_monitor --benchmark_filter=singles`).
   static constexpr double forceOfCaches = 130000, leastOfSingles = 0.1;
   static constexpr Singles evaluationOfSingles{
