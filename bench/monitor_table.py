@@ -181,8 +181,15 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--program", default="build/release/bin/ringwatch_bench_monitor", type=lambda path: pathlib.Path(path).resolve())
     parser.add_argument("--app", default="build/release/bin/ringwatch", type=lambda path: pathlib.Path(path).resolve())
+    parser.add_argument("--scenes", action="store_true", help="the third table alone")
     parser.add_argument("--jobs", default=os.cpu_count(), type=int, help="runs at a time, one thread each")
     arguments = parser.parse_args()
+    if not arguments.scenes:
+        print_bars(arguments)
+    print_scenes(arguments.app)
+
+
+def print_bars(arguments):
     costs = {(mesh, what): f"{watch}/{move}/{cut}/jittered/{element}/stvk/100k"
              for mesh, (cut, element) in MESHES.items() for what, (watch, move) in RUNS.items()}
     laws = {(mesh, grid, law): f"bracket_0.1/slow/{cut}/{grid}/{element}/{law}/20k"
@@ -204,7 +211,6 @@ def main():
             before = SAFE_BEFORE.get((mesh, grid), ("-",) * 3)
             cells = " | ".join(f"{widths(result)}; {old}" for result, old in zip(row, before))
             print(f"| {mesh} | {grid} | {row[0]['over_step']:.2f} ({row[0]['counted']:.2f}) | {cells} |")
-    print_scenes(arguments.app)
 
 
 if __name__ == "__main__":

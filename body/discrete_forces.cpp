@@ -137,11 +137,22 @@ void DiscreteForces::place(std::size_t obstacle, const Eigen::Vector3d& displace
   MovingObstacle& moved = shared_->obstacles.at(obstacle);
   moved.displacement = displacement;
   moved.velocity = velocity;
+  looked_ = nullptr;
 }
 
 Obstacle::Surface DiscreteForces::surface(std::size_t obstacle, const Eigen::Vector3d& x) const {
   const MovingObstacle& own = shared_->obstacles[obstacle];
   return own.shape->at(x - own.displacement);
+}
+
+void DiscreteForces::remember(NodeVectorsView x) const {
+  looked_ = nullptr;
+  near_.resize(contacts_.size());
+  for (std::size_t c = 0; c < contacts_.size(); ++c) {
+    near_[c].clear();
+    forEachNear(c, shared_->reach, x, [&](std::size_t k) { near_[c].push_back(static_cast<std::int32_t>(k)); });
+  }
+  looked_ = x.data();
 }
 
 DiscreteForces DiscreteForces::restrictedTo(std::span<const std::int32_t> nodes) const {
@@ -247,12 +258,9 @@ void DiscreteForces::addInternalForce(NodeVectorsView x, NodeVectors& f) const {
     f.col(spring.node) -= pull;
     f.col(spring.other) += pull;
   }
-  for (const PenaltyContact& contact : contacts_)
-    for (std::size_t k = 0; k < contact.nodes.size(); ++k) {
-      const std::int32_t node = contact.nodes[k];
-      const Obstacle::Surface at = surface(contact.obstacle, x.col(node));
-      if (at.gap < 0) f.col(node) += contact.penalty[k] * at.gap * at.normal;
-    }
+  forEachPushed(x, [&](const PenaltyContact& contact, std::size_t k, std::int32_t node, const Obstacle::Surface& at) {
+    f.col(node) += contact.penalty[k] * at.gap * at.normal;
+  });
   forEachTouch(x, [&](const SurfaceContact&, const SurfaceSearch::Touch& touch, const auto& nodes) {
     const Eigen::Vector3d force = touch.penalty * touch.r;
     for (int c = 0; c < 4; ++c)
@@ -272,10 +280,9 @@ double DiscreteForces::energy(NodeVectorsView x) const {
       stretch = moved.norm();
     sum += 0.5 * spring.stiffness * stretch * stretch;
   }
-  for (const PenaltyContact& contact : contacts_)
-    for (std::size_t k = 0; k < contact.nodes.size(); ++k)
-      if (const double gap = surface(contact.obstacle, x.col(contact.nodes[k])).gap; gap < 0)
-        sum += 0.5 * contact.penalty[k] * gap * gap;
+  forEachPushed(x, [&](const PenaltyContact& contact, std::size_t k, std::int32_t, const Obstacle::Surface& at) {
+    sum += 0.5 * contact.penalty[k] * at.gap * at.gap;
+  });
   forEachTouch(x, [&](const SurfaceContact&, const SurfaceSearch::Touch& touch, const auto&) {
     sum += 0.5 * touch.penalty * touch.depth * touch.depth;
   });
@@ -297,16 +304,10 @@ void DiscreteForces::addDampingForce(NodeVectorsView x, NodeVectorsView v, NodeV
     f.col(spring.node) += resisted;
     f.col(spring.other) -= resisted;
   }
-  for (const PenaltyContact& contact : contacts_) {
-    const Eigen::Vector3d& velocity = shared_->obstacles[contact.obstacle].velocity;
-    for (std::size_t k = 0; k < contact.nodes.size(); ++k) {
-      const std::int32_t node = contact.nodes[k];
-      const Obstacle::Surface at = surface(contact.obstacle, x.col(node));
-      if (at.gap < 0)
-        f.col(node) +=
-            resistance(contact, contact.penalty[k], contact.damping[k], at.normal, -at.gap, v.col(node) - velocity);
-    }
-  }
+  forEachPushed(x, [&](const PenaltyContact& contact, std::size_t k, std::int32_t node, const Obstacle::Surface& at) {
+    f.col(node) += resistance(contact, contact.penalty[k], contact.damping[k], at.normal, -at.gap,
+                              v.col(node) - shared_->obstacles[contact.obstacle].velocity);
+  });
   forEachTouch(x, [&](const SurfaceContact& contact, const SurfaceSearch::Touch& touch, const auto& nodes) {
     const Eigen::Vector3d force =
         resistance(contact, touch.penalty, touch.damping, touch.normal, touch.depth, between(touch, nodes, v));
@@ -317,19 +318,17 @@ void DiscreteForces::addDampingForce(NodeVectorsView x, NodeVectorsView v, NodeV
 
 DiscreteForces::ObstaclePower DiscreteForces::obstaclePower(NodeVectorsView x, NodeVectorsView v) const {
   ObstaclePower power;
-  for (const PenaltyContact& contact : contacts_) {
+  const auto moves = [&](const PenaltyContact& contact) {
+    return !shared_->obstacles[contact.obstacle].velocity.isZero(0);
+  };
+  if (std::none_of(contacts_.begin(), contacts_.end(), moves)) return power;
+  forEachPushed(x, [&](const PenaltyContact& contact, std::size_t k, std::int32_t node, const Obstacle::Surface& at) {
     const Eigen::Vector3d& velocity = shared_->obstacles[contact.obstacle].velocity;
-    if (velocity.isZero(0)) continue;
-    for (std::size_t k = 0; k < contact.nodes.size(); ++k) {
-      const std::int32_t node = contact.nodes[k];
-      const Obstacle::Surface at = surface(contact.obstacle, x.col(node));
-      if (!(at.gap < 0)) continue;
-      power.elastic -= contact.penalty[k] * at.gap * at.normal.dot(velocity);
-      power.damping -=
-          resistance(contact, contact.penalty[k], contact.damping[k], at.normal, -at.gap, v.col(node) - velocity)
-              .dot(velocity);
-    }
-  }
+    power.elastic -= contact.penalty[k] * at.gap * at.normal.dot(velocity);
+    power.damping -=
+        resistance(contact, contact.penalty[k], contact.damping[k], at.normal, -at.gap, v.col(node) - velocity)
+            .dot(velocity);
+  });
   return power;
 }
 
@@ -345,15 +344,11 @@ void DiscreteForces::addTangentProduct(NodeVectorsView x, NodeVectorsView u, Nod
     Ku.col(spring.node) += pull;
     Ku.col(spring.other) -= pull;
   }
-  for (const PenaltyContact& contact : contacts_)
-    for (std::size_t k = 0; k < contact.nodes.size(); ++k) {
-      const std::int32_t node = contact.nodes[k];
-      const Obstacle::Surface at = surface(contact.obstacle, x.col(node));
-      if (!(at.gap < 0)) continue;
-      const Eigen::Vector3d own = u.col(node);
-      Ku.col(node) += (contact.penalty[k] + f * contact.damping[k]) * at.normal.dot(own) * at.normal +
-                      contact.penalty[k] * at.gap * (at.curvature * own);
-    }
+  forEachPushed(x, [&](const PenaltyContact& contact, std::size_t k, std::int32_t node, const Obstacle::Surface& at) {
+    const Eigen::Vector3d own = u.col(node);
+    Ku.col(node) += (contact.penalty[k] + f * contact.damping[k]) * at.normal.dot(own) * at.normal +
+                    contact.penalty[k] * at.gap * (at.curvature * own);
+  });
   forEachTouch(x, [&](const SurfaceContact&, const SurfaceSearch::Touch& touch, const auto& nodes) {
     const double k = touch.penalty, fc = f * touch.damping;
     const Eigen::Vector3d moved = between(touch, nodes, u);
@@ -393,11 +388,9 @@ DiscreteForces::DampingForm DiscreteForces::dampingForm(NodeVectorsView x, NodeV
       add(spring.damping, v.col(spring.node) - v.col(spring.other),
           spring.length == 0 ? std::nullopt : std::optional(lineOf(spring, x).direction));
   }
-  for (const PenaltyContact& contact : contacts_)
-    for (std::size_t k = 0; k < contact.nodes.size(); ++k) {
-      const Obstacle::Surface at = surface(contact.obstacle, x.col(contact.nodes[k]));
-      if (at.gap < 0) add(contact.damping[k], v.col(contact.nodes[k]), at.normal);
-    }
+  forEachPushed(x, [&](const PenaltyContact& contact, std::size_t k, std::int32_t node, const Obstacle::Surface& at) {
+    add(contact.damping[k], v.col(node), at.normal);
+  });
   forEachTouch(x, [&](const SurfaceContact&, const SurfaceSearch::Touch& touch, const auto& nodes) {
     add(touch.damping, between(touch, nodes, v), touch.normal);
   });
@@ -459,11 +452,13 @@ void DiscreteForces::forMajorants(NodeVectorsView x, bool room, std::span<const 
     add(spring.node, own);
     add(spring.other, own);
   }
-  for (const PenaltyContact& contact : contacts_)
-    for (std::size_t k = 0; k < contact.nodes.size(); ++k) {
+  const double most = reach + (further.empty() ? 0 : *std::max_element(further.begin(), further.end()));
+  for (std::size_t c = 0; c < contacts_.size(); ++c) {
+    const PenaltyContact& contact = contacts_[c];
+    forEachNear(c, most, x, [&](std::size_t k) {
       const std::int32_t node = contact.nodes[k];
       const Obstacle::Surface at = surface(contact.obstacle, x.col(node));
-      if (!(at.gap <= reach + (further.empty() ? 0 : further[placeOf(node)]))) continue;
+      if (!(at.gap <= reach + (further.empty() ? 0 : further[placeOf(node)]))) return;
       const double along = contact.penalty[k] + f * contact.damping[k], depth = std::max(0.0, -at.gap);
       const Eigen::Matrix3d outward = at.normal * at.normal.transpose();
       Eigen::Matrix3d own = along * outward;
@@ -475,7 +470,8 @@ void DiscreteForces::forMajorants(NodeVectorsView x, bool room, std::span<const 
                (I - outward);
       if (room && curved) own += turning * along * I;
       add(node, own);
-    }
+    });
+  }
   forSurfaceMajorants(x, room, add);
 }
 
@@ -534,9 +530,21 @@ void DiscreteForces::forSurfaceMajorants(NodeVectorsView x, bool room, const Add
 
 double DiscreteForces::largestSpeed(NodeVectorsView v) const {
   double most = 0;
-  for (const PenaltyContact& contact : contacts_)
-    for (const std::int32_t node : contact.nodes)
-      most = std::max(most, (v.col(node) - shared_->obstacles[contact.obstacle].velocity).squaredNorm());
+  for (const PenaltyContact& contact : contacts_) {
+    const Eigen::Vector3d& velocity = shared_->obstacles[contact.obstacle].velocity;
+    // Several at a time: each maximum waits for the one before.
+    constexpr std::size_t chains = 4;
+    double mostOf[chains] = {};
+    const std::vector<std::int32_t>& nodes = contact.nodes;
+    const auto follow = [&](std::size_t chain, std::size_t k) {
+      mostOf[chain] = std::max(mostOf[chain], (v.col(nodes[k]) - velocity).squaredNorm());
+    };
+    std::size_t k = 0;
+    for (; k + chains <= nodes.size(); k += chains)
+      for (std::size_t chain = 0; chain < chains; ++chain) follow(chain, k + chain);
+    for (; k < nodes.size(); ++k) follow(0, k);
+    most = std::max(most, *std::max_element(mostOf, mostOf + chains));
+  }
   double relative = 0;
   for (const SurfaceSearch& surface : shared_->surfaces) {
     const std::vector<std::int32_t>& nodes = surface.nodes();
@@ -549,17 +557,13 @@ double DiscreteForces::largestSpeed(NodeVectorsView v) const {
 
 DiscreteForces::ContactState DiscreteForces::contactState(NodeVectorsView x) const {
   ContactState state;
-  for (const PenaltyContact& contact : contacts_)
-    for (const std::int32_t node : contact.nodes) {
-      const double gap = surface(contact.obstacle, x.col(node)).gap;
-      if (!(gap < 0)) continue;
-      ++state.touching;
-      if (-gap > state.deepest) {
-        state.deepest = -gap;
-        state.deepestNode = node;
-        state.deepestObstacle = contact.obstacle;
-      }
-    }
+  forEachPushed(x, [&](const PenaltyContact& contact, std::size_t, std::int32_t node, const Obstacle::Surface& at) {
+    ++state.touching;
+    if (!(-at.gap > state.deepest)) return;
+    state.deepest = -at.gap;
+    state.deepestNode = node;
+    state.deepestObstacle = contact.obstacle;
+  });
   forEachTouch(x, [&](const SurfaceContact&, const SurfaceSearch::Touch& touch, const auto& nodes) {
     ++state.touching;
     if (!(touch.depth > state.deepest)) return;

@@ -1,5 +1,7 @@
 #pragma once
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -65,7 +67,10 @@ class DiscreteForces {
   void place(std::size_t obstacle, const Eigen::Vector3d& displacement, const Eigen::Vector3d& velocity);
   /// Nodes as near to an obstacle or a surface as that, m, count in majorants() as if they touched it: what can touch
   /// before the next look.
-  void setReach(double reach) { shared_->reach = reach; }
+  void setReach(double reach) {
+    shared_->reach = reach;
+    looked_ = nullptr;
+  }
   /// f, 1/s, of K + f C.
   void setDampingFactor(double factor) { shared_->dampingFactor = factor; }
   double dampingFactor() const { return shared_->dampingFactor; }
@@ -78,6 +83,22 @@ class DiscreteForces {
   DiscreteForces restrictedTo(std::span<const std::int32_t> nodes) const;
   /// Looks which surfaces touch at x, 3×N; the others do so themselves.
   void locate(NodeVectorsView x) const;
+  /// While it lives, all calls at the very array x look once for the nodes near obstacles; its numbers may not change
+  /// meanwhile, and one thread alone makes and ends looks. discrete: nullptr for none.
+  class Look {
+   public:
+    Look(const DiscreteForces* discrete, NodeVectorsView x) : discrete_(discrete) {
+      if (discrete_) discrete_->remember(x);
+    }
+    ~Look() {
+      if (discrete_) discrete_->looked_ = nullptr;
+    }
+    Look(const Look&) = delete;
+    Look& operator=(const Look&) = delete;
+
+   private:
+    const DiscreteForces* discrete_;
+  };
   /// The other ends of the springs at these nodes, which are ascending, as are the results.
   std::vector<std::int32_t> partners(std::span<const std::int32_t> nodes) const;
 
@@ -186,6 +207,13 @@ class DiscreteForces {
   static Eigen::Matrix3d axial(const Spring& spring, NodeVectorsView x, double f, bool positivePart);
   static Eigen::Matrix3d toGround(const Spring& spring, double k);
   Obstacle::Surface surface(std::size_t obstacle, const Eigen::Vector3d& x) const;
+  void remember(NodeVectorsView x) const;
+  /// Calls visit(k) for the nodes of a contact that are no farther than `gap` from its obstacle, m, and for a few more.
+  template <class Visit>
+  void forEachNear(std::size_t contact, double gap, NodeVectorsView x, const Visit& visit) const;
+  /// Calls visit(contact, k, node, surface) for all nodes that obstacles push away.
+  template <class Visit>
+  void forEachPushed(NodeVectorsView x, const Visit& visit) const;
   void note(const std::vector<std::int32_t>& nodes);
 
   std::int32_t nodeCount_;
@@ -194,6 +222,9 @@ class DiscreteForces {
   std::vector<Spring> springs_;
   std::vector<PenaltyContact> contacts_;
   std::vector<std::int32_t> nodes_, place_;
+  // Of a Look: its array, nullptr for none, and by contact the nodes within the reach.
+  mutable const double* looked_ = nullptr;
+  mutable std::vector<std::vector<std::int32_t>> near_;
   int threads_ = 1;
   // Of a part: the numbers that nodes of the whole have in it, -1 for none, and by surface the nodes that it has, with
   // their positions in SurfaceSearch::nodes.
@@ -220,6 +251,34 @@ void DiscreteForces::forEachTouch(NodeVectorsView x, const Visit& visit) const {
     }
 }
 
+template <class Visit>
+void DiscreteForces::forEachNear(std::size_t contact, double gap, NodeVectorsView x, const Visit& visit) const {
+  if (looked_ == x.data() && gap <= shared_->reach) {
+    for (const std::int32_t k : near_[contact]) visit(static_cast<std::size_t>(k));
+    return;
+  }
+  const PenaltyContact& own = contacts_[contact];
+  const MovingObstacle& obstacle = shared_->obstacles[own.obstacle];
+  constexpr std::size_t chunk = 512;
+  std::int32_t near[chunk];
+  for (std::size_t begin = 0; begin < own.nodes.size(); begin += chunk) {
+    const std::span some = std::span(own.nodes).subspan(begin, std::min(chunk, own.nodes.size() - begin));
+    const std::size_t count = obstacle.shape->within(gap, x, some, obstacle.displacement, near);
+    for (std::size_t i = 0; i < count; ++i) visit(begin + static_cast<std::size_t>(near[i]));
+  }
+}
+
+template <class Visit>
+void DiscreteForces::forEachPushed(NodeVectorsView x, const Visit& visit) const {
+  for (std::size_t c = 0; c < contacts_.size(); ++c) {
+    const PenaltyContact& contact = contacts_[c];
+    forEachNear(c, 0, x, [&](std::size_t k) {
+      const Obstacle::Surface at = surface(contact.obstacle, x.col(contact.nodes[k]));
+      if (at.gap < 0) visit(contact, k, contact.nodes[k], at);
+    });
+  }
+}
+
 template <class Visit, class Wanted>
 void DiscreteForces::forEachBlock(NodeVectorsView x, const Visit& visit, const Wanted& wanted) const {
   const double f = dampingFactor();
@@ -235,16 +294,12 @@ void DiscreteForces::forEachBlock(NodeVectorsView x, const Visit& visit, const W
     visit(spring.node, spring.other, opposite);
     visit(spring.other, spring.node, opposite);
   }
-  for (const PenaltyContact& contact : contacts_)
-    for (std::size_t k = 0; k < contact.nodes.size(); ++k) {
-      const std::int32_t node = contact.nodes[k];
-      if (!wanted(node)) continue;
-      const Obstacle::Surface at = surface(contact.obstacle, x.col(node));
-      if (!(at.gap < 0)) continue;
-      const Eigen::Matrix3d block = (contact.penalty[k] + f * contact.damping[k]) * at.normal * at.normal.transpose() +
-                                    contact.penalty[k] * at.gap * at.curvature;
-      visit(node, node, block);
-    }
+  forEachPushed(x, [&](const PenaltyContact& contact, std::size_t k, std::int32_t node, const Obstacle::Surface& at) {
+    if (!wanted(node)) return;
+    const Eigen::Matrix3d block = (contact.penalty[k] + f * contact.damping[k]) * at.normal * at.normal.transpose() +
+                                  contact.penalty[k] * at.gap * at.curvature;
+    visit(node, node, block);
+  });
   forEachTouch(x,
                [&](const SurfaceContact&, const SurfaceSearch::Touch& touch, const std::array<std::int32_t, 4>& nodes) {
                  bool any = false;

@@ -1,6 +1,7 @@
 #include <ringwatch/body/obstacle.h>
 
 #include <cmath>
+#include <limits>
 
 #include <Eigen/Geometry>
 
@@ -20,12 +21,33 @@ void requirePositive(const char* name, double value) {
   if (!(value > 0) || !std::isfinite(value)) throw InputError(joinText(name, " = ", value, " m: must be > 0"));
 }
 
-class Plane final : public Obstacle {
+/// Distances of nodes without a call for each. Shape: has at(), and origin(), which it takes points from.
+template <class Shape>
+class ObstacleOf : public Obstacle {
+ public:
+  std::size_t within(double gap, NodeVectorsView x, std::span<const std::int32_t> nodes,
+                     const Eigen::Vector3d& displacement, std::int32_t* near) const final {
+    // The same expression may be rounded otherwise here than in at(): a few roundings of the point's coordinates.
+    constexpr double rounding = 32 * std::numeric_limits<double>::epsilon();
+    const auto& shape = static_cast<const Shape&>(*this);
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+      const Eigen::Vector3d point = x.col(nodes[k]) - displacement;
+      const double room = rounding * (point - shape.origin()).template lpNorm<1>();
+      near[count] = static_cast<std::int32_t>(k);
+      count += !(shape.Shape::at(point).gap > gap + room);  // of what is not a number at() decides
+    }
+    return count;
+  }
+};
+
+class Plane final : public ObstacleOf<Plane> {
  public:
   Plane(const Eigen::Vector3d& point, const Eigen::Vector3d& normal) : point_(point), normal_(unit("normal", normal)) {}
   Surface at(const Eigen::Vector3d& x) const override {
     return {normal_.dot(x - point_), normal_, Eigen::Matrix3d::Zero()};
   }
+  const Eigen::Vector3d& origin() const { return point_; }
 
  private:
   Eigen::Vector3d point_, normal_;
@@ -40,7 +62,7 @@ Obstacle::Surface roundSurface(const Eigen::Vector3d& r, const Eigen::Matrix3d& 
   return {sign * (distance - radius), sign * n, (sign / distance) * (across - n * n.transpose())};
 }
 
-class Sphere final : public Obstacle {
+class Sphere final : public ObstacleOf<Sphere> {
  public:
   Sphere(Eigen::Vector3d centre, double radius, bool hollow)
       : centre_(std::move(centre)), radius_(radius), hollow_(hollow) {
@@ -49,6 +71,7 @@ class Sphere final : public Obstacle {
   Surface at(const Eigen::Vector3d& x) const override {
     return roundSurface(x - centre_, Eigen::Matrix3d::Identity(), radius_, hollow_);
   }
+  const Eigen::Vector3d& origin() const { return centre_; }
 
  private:
   Eigen::Vector3d centre_;
@@ -56,7 +79,7 @@ class Sphere final : public Obstacle {
   bool hollow_;
 };
 
-class Cylinder final : public Obstacle {
+class Cylinder final : public ObstacleOf<Cylinder> {
  public:
   Cylinder(Eigen::Vector3d point, const Eigen::Vector3d& axis, double radius, std::optional<double> length, bool hollow)
       : point_(std::move(point)),
@@ -78,6 +101,7 @@ class Cylinder final : public Obstacle {
     if (beyond <= side.gap) return side;
     return {beyond, along < 0 ? Eigen::Vector3d(-axis_) : axis_, Eigen::Matrix3d::Zero()};
   }
+  const Eigen::Vector3d& origin() const { return point_; }
 
  private:
   Eigen::Vector3d point_, axis_;
@@ -87,7 +111,7 @@ class Cylinder final : public Obstacle {
   bool hollow_;
 };
 
-class Box final : public Obstacle {
+class Box final : public ObstacleOf<Box> {
  public:
   Box(Eigen::Vector3d centre, const Eigen::Vector3d& size) : centre_(std::move(centre)), half_(0.5 * size) {
     for (int c = 0; c < 3; ++c) requirePositive("size", size[c]);
@@ -100,6 +124,7 @@ class Box final : public Obstacle {
     normal[face] = r[face] < 0 ? -1 : 1;
     return {gap, normal, Eigen::Matrix3d::Zero()};
   }
+  const Eigen::Vector3d& origin() const { return centre_; }
 
  private:
   Eigen::Vector3d centre_, half_;

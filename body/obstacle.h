@@ -1,10 +1,15 @@
 #pragma once
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
 #include <Eigen/Core>
+
+#include <ringwatch/meshes/mesh.h>
 
 namespace ringwatch {
 
@@ -22,6 +27,11 @@ class Obstacle {
   virtual ~Obstacle() = default;
   /// At a point of the obstacle's own frame, m: that of its place at time zero.
   virtual Surface at(const Eigen::Vector3d& point) const = 0;
+  /// Of some nodes at x, 3×N, against the obstacle moved by `displacement`, m: the places in `nodes` of those with a
+  /// distance of at most `gap`, m, ascending, and by rounding of some that are hardly farther. near: has room for all.
+  /// Returns how many there are. Many times as fast as at() for each.
+  virtual std::size_t within(double gap, NodeVectorsView x, std::span<const std::int32_t> nodes,
+                             const Eigen::Vector3d& displacement, std::int32_t* near) const = 0;
 };
 
 /// The half-space below a plane through `point` with the outward direction `normal`. Throws InputError unless the

@@ -63,6 +63,8 @@ class NodalBound {
     majorants_ = std::move(majorants);
     keepsMajorants_ = true;
   }
+  /// One of them, by the place of its node.
+  void setMajorant(std::int32_t place, const Eigen::Matrix3d& majorant) { majorants_[place] = majorant; }
   /// Those of setMajorants or of the last evaluation; empty without discrete forces.
   const std::vector<Eigen::Matrix3d>& majorants() const { return majorants_; }
   /// That of a node, N/m.

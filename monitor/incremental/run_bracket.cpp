@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/infinity.h>
@@ -38,6 +39,7 @@ RunBracket::RunBracket(const Body& body, double width, double budget, std::int64
 
 const std::optional<CriticalStep>& RunBracket::evaluate(NodeVectorsView x, const StepRule& limit,
                                                         std::optional<double> h, StepEvaluation* evaluation) {
+  const DiscreteForces::Look look(body_.discreteForces(), x);
   account_.earn(uncertified_);
   follow(x, limit, h, evaluation);
   observed_ = true;
@@ -153,6 +155,7 @@ const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const S
 }
 
 bool RunBracket::certify(NodeVectorsView x, const StepRule& limit, double h, StepEvaluation* evaluation) {
+  const DiscreteForces::Look look(body_.discreteForces(), x);
   account_.earn(uncertified_);
   const double sigma = limit.lambdaFor(h);
   std::int64_t before = 0;
@@ -383,21 +386,23 @@ bool RunBracket::searchStiffNodes(NodeVectorsView x, std::size_t nodes, LowerBou
 LowerBound RunBracket::boundWhereItTouches(NodeVectorsView x, LowerBound lower) {
   const DiscreteForces* discrete = body_.discreteForces();
   if (!discrete) return lower;
-  ownBefore_.swap(own_);
-  own_.assign(discrete->nodes().size(), 0);
-  ownBefore_.resize(own_.size());
+  std::map<std::int32_t, double> own;  // by node
   discrete->forEachBlock(x, [&](std::int32_t i, std::int32_t j, const Eigen::Matrix3d& block) {
-    if (i == j && body_.constraints().freeComponents(i) > 0)
-      own_[discrete->placeOf(i)] += block.trace() / body_.lumpedMass()[i];
+    if (i == j && body_.constraints().freeComponents(i) > 0) own[i] += block.trace() / body_.lumpedMass()[i];
   });
   double highest = 0;
   std::int32_t node = -1;
-  for (std::size_t k = 0; k < own_.size(); ++k) {
-    const bool risen = own_[k] > (1 + policy_.leastGain) * std::max(ownBefore_[k], 0.0);
-    if (!(own_[k] > highest) || !(risen || own_[k] > (1 + policy_.leastGain) * lower.value)) continue;
-    highest = own_[k];
-    node = discrete->nodes()[k];
+  auto before = own_.begin();
+  for (const auto& [i, value] : own) {
+    while (before != own_.end() && before->node < i) ++before;
+    const double known = before != own_.end() && before->node == i ? std::max(before->value, 0.0) : 0;
+    const bool risen = value > (1 + policy_.leastGain) * known;
+    if (!(value > highest) || !(risen || value > (1 + policy_.leastGain) * lower.value)) continue;
+    highest = value;
+    node = i;
   }
+  own_.clear();
+  for (const auto& [i, value] : own) own_.push_back({value, i});
   if (node < 0) return lower;
   // One ring is enough: the others at the node have the same contact.
   const std::vector<ElementRef> elements = nodal_.weights().elementsAt(std::span<const std::int32_t>(&node, 1));

@@ -136,9 +136,9 @@ class RunBracket {
   template <class Archive>
   void archive(Archive& a) {
     a(slack_, account_, spent_, observed_, atShares_, uncertified_, nodal_, exchange_, local_, localNodes_,
-      regionBound_, own_, ownBefore_, softest_, mode_, method_, statistics_, bracketed_, finite_, cheapest_,
-      sharpening_, sharpeningRestart_, searchesNext_, wholeMode_, restart_, search_, examination_, lowest_,
-      nextCompressed_, least_, searchedAt_, step_, best_, bestAt_);
+      regionBound_, own_, softest_, mode_, method_, statistics_, bracketed_, finite_, cheapest_, sharpening_,
+      sharpeningRestart_, searchesNext_, wholeMode_, restart_, search_, examination_, lowest_, nextCompressed_, least_,
+      searchedAt_, step_, best_, bestAt_);
     archiveVersion(a, bestVersion_, body_.version());
   }
 
@@ -209,8 +209,12 @@ class RunBracket {
   StiffNodes stiff_;
   std::size_t localNodes_;
   LowerBound regionBound_{0};  // when the region was chosen last
-  // Of each node of the discrete forces, what these give it alone, rad²/s²: now and at the evaluation before.
-  std::vector<double> own_, ownBefore_;
+  /// What discrete forces give a node alone, rad²/s².
+  struct Own {
+    double value;
+    std::int64_t node;
+  };
+  std::vector<Own> own_;  // where they are at the last evaluation, by node
   NodeSubmatrix ringNodes_;
   LowestModeSearch softest_;
   Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver_;

@@ -123,6 +123,9 @@ void RunCertificate::renewMajorants(NodeVectorsView x) {
   if (!discrete) return;
   std::vector<Eigen::Matrix3d> majorants;
   discrete->majorants(x, true, majorants);
+  majorantsAt_.clear();
+  for (std::size_t k = 0; k < majorants.size(); ++k)
+    if (majorants[k].trace() != 0) majorantsAt_.push_back(static_cast<std::int32_t>(k));
   weights().setMajorants(std::move(majorants));
 }
 
@@ -131,21 +134,21 @@ std::vector<std::int32_t> RunCertificate::followDiscreteForces(NodeVectorsView x
   if (!discrete) return {};
   discrete->majorants(x, false, needed_, neededAt_);
   const std::vector<Eigen::Matrix3d>& before = weights().majorants();
-  std::vector<Eigen::Matrix3d> kept, withRoom;
-  std::vector<std::int32_t> grown;
+  std::vector<std::int32_t> places;
   for (const std::int32_t k : neededAt_) {
     if (needed_[k] == before[k] || diagonallyBelow(needed_[k], before[k])) continue;
     // Majorants are larger than what they stand for by far more than this rounding.
     if (largestEigenvalue(needed_[k] - before[k]) <= majorantRounding * needed_[k].trace()) continue;
-    if (withRoom.empty()) {
-      discrete->majorants(x, true, withRoom);
-      kept = before;
-    }
-    kept[k] = withRoom[k];
+    places.push_back(k);
+  }
+  if (places.empty()) return {};
+  discrete->majorants(x, true, withRoom_, withRoomAt_);
+  std::vector<std::int32_t> grown;
+  for (const std::int32_t k : places) {
+    if (before[k].trace() == 0) majorantsAt_.push_back(k);
+    weights().setMajorant(k, withRoom_[k]);
     grown.push_back(discrete->nodes()[k]);
   }
-  if (grown.empty()) return {};
-  weights().setMajorants(std::move(kept));
   std::sort(grown.begin(), grown.end());
   std::erase_if(grown, [&](std::int32_t node) { return !exceeds(node); });
   return grown;
@@ -154,24 +157,24 @@ std::vector<std::int32_t> RunCertificate::followDiscreteForces(NodeVectorsView x
 void RunCertificate::releaseDiscreteForces(NodeVectorsView x) {
   const DiscreteForces* discrete = body().discreteForces();
   if (!discrete) return;
-  std::vector<Eigen::Matrix3d> withRoom;
-  discrete->majorants(x, true, withRoom);
-  const std::vector<Eigen::Matrix3d> before = weights().majorants();
-  weights().setMajorants(withRoom);
-  // One of less trace may be larger in some direction.
-  std::vector<Eigen::Matrix3d> now = std::move(withRoom);
-  for (std::size_t k = 0; k < now.size(); ++k)
-    if (!(now[k].trace() < before[k].trace()) || exceeds(discrete->nodes()[k])) now[k] = before[k];
-  weights().setMajorants(std::move(now));
+  discrete->majorants(x, true, withRoom_, withRoomAt_);
+  std::erase_if(majorantsAt_, [&](std::int32_t k) {
+    const Eigen::Matrix3d before = weights().majorants()[k];
+    if (!(withRoom_[k].trace() < before.trace())) return false;
+    weights().setMajorant(k, withRoom_[k]);
+    // One of less trace may be larger in some direction.
+    if (exceeds(discrete->nodes()[k])) weights().setMajorant(k, before);
+    return weights().majorants()[k].trace() == 0;
+  });
 }
 
 double RunCertificate::leastForDiscreteForces() const {
   double least = 0;
   if (const DiscreteForces* discrete = body().discreteForces())
-    for (const std::int32_t node : discrete->nodes()) {
-      const Eigen::Matrix3d majorant = weights().majorantAt(node);
-      if (majorant.isZero(0)) continue;
-      least = std::max(least, largestEigenvalue(freePart(body(), node, majorant)) / body().lumpedMass()[node]);
+    for (const std::int32_t k : majorantsAt_) {
+      const std::int32_t node = discrete->nodes()[k];
+      const Eigen::Matrix3d majorant = freePart(body(), node, weights().majorants()[k]);
+      least = std::max(least, largestEigenvalue(majorant) / body().lumpedMass()[node]);
     }
   return least;
 }
@@ -185,13 +188,15 @@ std::vector<double> RunCertificate::scalingsBesideDiscreteForces() const {
   std::vector<double> scalings;
   const DiscreteForces* discrete = body().discreteForces();
   if (!discrete) return scalings;
-  for (const std::int32_t node : discrete->nodes()) {
+  scalings.assign(discrete->nodes().size(), -1);
+  for (const std::int32_t k : majorantsAt_) {
+    const std::int32_t node = discrete->nodes()[k];
     Eigen::Matrix3d elements = Eigen::Matrix3d::Zero();
     for (const NodalBound::Incidence at : weights().incidences(node))
       elements += weights().value(weights().elementAt(at)) * weights().weight(at);
     const double mass = body().lumpedMass()[node];
-    scalings.push_back(largestScaling(freePart(body(), node, weights().majorantAt(node)) / mass,
-                                      freePart(body(), node, elements) / mass, certifiedEigenvalue()));
+    scalings[k] = largestScaling(freePart(body(), node, weights().majorants()[k]) / mass,
+                                 freePart(body(), node, elements) / mass, certifiedEigenvalue());
   }
   return scalings;
 }
@@ -199,10 +204,11 @@ std::vector<double> RunCertificate::scalingsBesideDiscreteForces() const {
 void RunCertificate::reduceBesideDiscreteForces() {
   const DiscreteForces* discrete = body().discreteForces();
   if (!discrete) return;
-  for (const std::int32_t node : discrete->nodes()) {
+  for (const std::int32_t k : majorantsAt_) {
+    const std::int32_t node = discrete->nodes()[k];
     if (!exceeds(node)) continue;
     const double mass = body().lumpedMass()[node];
-    const double share = largestScaling(freePart(body(), node, weights().majorantAt(node)) / mass,
+    const double share = largestScaling(freePart(body(), node, weights().majorants()[k]) / mass,
                                         freePart(body(), node, sumOfElements(node)) / mass, certifiedEigenvalue()) *
                          (1 - 4 * allowanceRounding);
     if (!(share < 1)) continue;
@@ -298,7 +304,7 @@ std::vector<ElementRef> RunCertificate::elementsOutsideBall(NodeVectorsView x, S
   asked.visitor = &check;
   body().evaluate(x, asked, workspace_);
   asked.visitor = nullptr;
-  statistics_.work[WorkOn::tests] += WorkAccount::ofNodes(body());
+  statistics_.work[WorkOn::tests] += WorkAccount::ofNodes(body()) + WorkAccount::ofContact(body());
   for (const BlockData& data : blocks_) statistics_.work[WorkOn::tests] += data.balls.workOfCheck();
   std::vector<ElementRef> outside;
   for (std::size_t b = 0; b < blocks_.size(); ++b)
@@ -321,7 +327,7 @@ void RunCertificate::distributeAllowances(NodeVectorsView x, bool newWeights) {
   // How far the values at a node can grow together below the certified eigenvalue.
   const auto scalingAt = [&](std::int32_t node) {
     const std::int32_t place = discrete ? discrete->placeOf(node) : -1;
-    if (place >= 0) return besideDiscrete[place];
+    if (place >= 0 && besideDiscrete[place] >= 0) return besideDiscrete[place];
     return nodal[node] > 0 ? certifiedEigenvalue() / nodal[node] : infinity;
   };
   for (std::size_t b = 0; b < blocks_.size(); ++b) {

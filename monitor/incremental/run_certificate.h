@@ -128,7 +128,7 @@ class RunCertificate : public CertificateState<RoundedDown<float>> {
     for (BlockData& b : blocks_)
       a(b.balls, b.value, b.strainNorm, b.compression, b.linear, b.quadratic, b.growthRadius, b.inversionDistance,
         b.counted);
-    a(frames_, mostCompression_, statistics_);
+    a(frames_, mostCompression_, statistics_, majorantsAt_);
   }
 
  private:
@@ -155,7 +155,7 @@ class RunCertificate : public CertificateState<RoundedDown<float>> {
     }
   };
   /// How far the values of the elements at nodes of discrete forces can grow together below the certified eigenvalue:
-  /// by place.
+  /// by place, -1 where they have no majorant now.
   std::vector<double> scalingsBesideDiscreteForces() const;
   /// Reduces the allowances of elements at nodes of discrete forces whose sums exceed the certified eigenvalue.
   void reduceBesideDiscreteForces();
@@ -181,8 +181,9 @@ class RunCertificate : public CertificateState<RoundedDown<float>> {
   double mostCompression_ = 0;
   UpdateStatistics statistics_;
   Body::Workspace workspace_;
-  std::vector<Eigen::Matrix3d> needed_;                          // majorants of discrete forces
-  std::vector<std::int32_t> neededAt_;                           // where they are not zero
+  // Majorants of discrete forces: by place, and where they are not zero. Those that count are the weights'.
+  std::vector<Eigen::Matrix3d> needed_, withRoom_;
+  std::vector<std::int32_t> neededAt_, withRoomAt_, majorantsAt_;
   std::vector<std::vector<std::vector<std::int32_t>>> outside_;  // elements, [block][patch]
   std::vector<Need> needs_;                                      // of growBalls, kept for its memory
 };

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <ringwatch/body/body.h>
+#include <ringwatch/body/discrete_forces.h>
 
 namespace ringwatch {
 
@@ -150,6 +151,15 @@ class WorkAccount {
   static double ofRegion(const Body& part, int products) { return dearerInRegion * ofProducts(part, products); }
   /// Reading positions and velocities of all nodes, for what is not a number.
   static double ofNodes(const Body& body) { return unitsOfNode * body.nodeCount(); }
+  /// Velocities of all nodes that can touch, for how far these may come before the next observation.
+  static double ofContact(const Body& body) {
+    std::size_t nodes = 0;
+    if (const DiscreteForces* discrete = body.discreteForces()) {
+      for (const PenaltyContact& contact : discrete->contacts()) nodes += contact.nodes.size();
+      for (const SurfaceSearch& surface : discrete->surfaces()) nodes += surface.nodes().size();
+    }
+    return unitsOfContactNode * static_cast<double>(nodes);
+  }
   /// The diagonal of the tangents of all elements.
   static double ofDiagonal(const Body& body) { return evaluationsOfTangent * ofEvaluation(body); }
   /// A reduced ring, with its eigenvectors and the tangents of the elements around; all of them together, without.
@@ -263,7 +273,7 @@ class WorkAccount {
   static constexpr double unitsOfRing = 12000, unitsOfEigenvectors = 1.2;
   static constexpr double evaluationsOfDecomposition = 2.8, evaluationsOfFactorisation = 2.8;
   static constexpr double evaluationsOfShares = 26, evaluationsOfIteration = 4.7;
-  static constexpr double unitsOfMove = 1.6, unitsOfNode = 0.25;
+  static constexpr double unitsOfMove = 1.6, unitsOfNode = 0.25, unitsOfContactNode = 0.3;
   static constexpr double productsKept = 12;
   static constexpr double leastIncome = 2000, leastBesideTests = 0.2, shareOfMode = 0.3, shareOfProof = 0.15,
                           shareOfVerdict = 0.25, shareOfSearches = 0.1, shareAtStart = 0.3, forcesOfCredit = 0.5,

@@ -75,6 +75,33 @@ TEST(Obstacles, LieWhereTheyAreSaidTo) {
   EXPECT_DOUBLE_EQ(gap(box, {1, 1, 5}), 1);
 }
 
+TEST(Obstacles, TellManyNodesAsTheyTellOne) {
+  test::Random random(11);
+  std::size_t found = 0;
+  for (const NamedObstacle& named : allObstacles()) {
+    const std::unique_ptr<Obstacle> obstacle = named.make();
+    const NodeVectors x = random.nodeVectors(300, 1.5);
+    std::vector<std::int32_t> nodes;
+    for (std::int32_t node = 0; node < 300; ++node)
+      if (random.index(4) > 0) nodes.push_back(node);
+    std::vector<std::int32_t> near(nodes.size());
+    for (int trial = 0; trial < 20; ++trial) {
+      const Vector3d displacement = random.vector(0.3);
+      std::vector<std::int32_t> expected;
+      // The distance of one of the nodes itself, too.
+      const double gap =
+          trial % 2 == 0 ? random.uniform(-0.5, 0.5) : obstacle->at(x.col(nodes[trial]) - displacement).gap;
+      for (std::size_t k = 0; k < nodes.size(); ++k)
+        if (obstacle->at(x.col(nodes[k]) - displacement).gap <= gap) expected.push_back(static_cast<std::int32_t>(k));
+      const std::size_t count = obstacle->within(gap, x, nodes, displacement, near.data());
+      EXPECT_EQ(std::vector<std::int32_t>(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(count)), expected)
+          << named.name;
+      found += count;
+    }
+  }
+  EXPECT_GT(found, 5000u);
+}
+
 /// Springs of every kind and contact with every obstacle, on `nodes` nodes at random places around the origin.
 struct Made {
   DiscreteForces forces;
@@ -222,6 +249,51 @@ TEST(DiscreteForces, MajorantsHoldWhicheverNodesTouch) {
     }
   }
   EXPECT_EQ(trials, 5000);
+}
+
+TEST(DiscreteForces, OneLookServesAllCallsAtItsPositions) {
+  std::int64_t touching = 0;
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    Made made(40, seed, 0.3);
+    test::Random random(seed + 500);
+    made.forces.setReach(random.index(2) == 0 ? 0 : random.uniform(0, 0.3));
+    const NodeVectors v = random.nodeVectors(40, 1);
+    struct All {
+      NodeVectors force, damping;
+      double energy;
+      std::vector<Matrix3d> majorants, toCome;
+      Eigen::MatrixXd tangent;
+      bool operator==(const All&) const = default;
+    };
+    const std::vector<double> further(made.forces.nodes().size(), 0.1);
+    const auto ask = [&](const NodeVectors& x) {
+      All all{NodeVectors::Zero(3, 40),    NodeVectors::Zero(3, 40), made.forces.energy(x), {}, {},
+              denseTangent(made.forces, x)};
+      made.forces.addInternalForce(x, all.force);
+      made.forces.addDampingForce(x, v, all.damping);
+      made.forces.majorants(x, true, all.majorants);
+      made.forces.majorantsToCome(x, further, all.toCome);
+      return all;
+    };
+    const NodeVectors elsewhere = made.x + random.nodeVectors(40, 0.5);
+    const All here = ask(made.x), there = ask(elsewhere);
+    {
+      const DiscreteForces::Look look(&made.forces, made.x);
+      EXPECT_EQ(ask(made.x), here) << seed;
+      EXPECT_EQ(ask(elsewhere), there) << seed;
+    }
+    touching += made.forces.contactState(made.x).touching;
+    // The same array with other numbers.
+    made.x = elsewhere;
+    EXPECT_EQ(ask(made.x), there) << seed;
+    // An obstacle that moves ends what was seen.
+    const DiscreteForces::Look look(&made.forces, made.x);
+    for (std::size_t k = 0; k < allObstacles().size(); ++k) made.forces.place(k, {0.2, 0.1, -0.3}, Vector3d::Zero());
+    const All moved = ask(made.x);
+    EXPECT_EQ(ask(NodeVectors(made.x)), moved) << seed;
+    EXPECT_FALSE(moved == there) << seed;
+  }
+  EXPECT_GT(touching, 1000);
 }
 
 TEST(DiscreteForces, CountContactWithinReach) {
