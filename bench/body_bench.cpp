@@ -10,6 +10,7 @@
 
 #include <bench/needs.h>
 #include <bench/support.h>
+#include <ringwatch/base/median.h>
 #include <tests/support/scalar_reference.h>
 
 namespace ringwatch::bench {
@@ -241,10 +242,6 @@ void forceWithBulkViscosity(benchmark::State& state, const Case& c) {
   withReference(c, s, [&](const auto& reference) { reference.force(s.x, expected); });
   expected += plainDampingForce(s, damping);
   report(state, s.body.mesh().elementCount(), relativeDifference(f, expected));
-  const auto median = [](std::vector<double>& all) {
-    std::nth_element(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2), all.end());
-    return all[all.size() / 2];
-  };
   state.counters["over_force"] = 100 * (median(with) / median(without) - 1);
 }
 void bulkViscosity(benchmark::State& state, const Case& c) { dampingForce(state, c, {0.06, 1.2, 0, 0, 0}); }

@@ -13,6 +13,7 @@
 
 #include <bench/runs.h>
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/median.h>
 #include <ringwatch/meshes/generators/generators.h>
 #include <ringwatch/monitor/critical_step_tiers.h>
 #include <ringwatch/monitor/stability_monitor.h>
@@ -48,8 +49,7 @@ double secondsOfForce(const Body& body) {
     body.evaluate(body.mesh().X, evaluation, workspace);
     one = cpuSeconds() - begin;
   }
-  std::nth_element(seconds.begin(), seconds.begin() + 10, seconds.end());
-  return seconds[10];
+  return median(std::move(seconds));
 }
 
 void measure(const std::string& element, int perCell, double jitter, double count) {

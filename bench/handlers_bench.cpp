@@ -13,6 +13,7 @@
 #include <bench/support.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/infinity.h>
+#include <ringwatch/base/median.h>
 #include <ringwatch/base/parallel.h>
 #include <ringwatch/base/random.h>
 #include <ringwatch/handlers/handler.h>
@@ -28,11 +29,6 @@ namespace {
 
 constexpr double target = 4e-4;  // s
 constexpr int turns = 5;         // of a handler and of Verlet
-
-double medianOf(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
-}
 
 double threadSeconds() {
   timespec now{};
@@ -121,9 +117,9 @@ void handled(benchmark::State& state, const Deformation& d, std::string_view nam
     error = (own.x - exact).colwise().norm().mean();
     elements = static_cast<double>(handler->elements().size());
   }
-  state.counters["ms_a_step"] = 1e3 * medianOf(seconds);
-  state.counters["of_four_explicit"] = medianOf(ratios);
-  state.counters["preparing_steps"] = medianOf(preparing);
+  state.counters["ms_a_step"] = 1e3 * median(seconds);
+  state.counters["of_four_explicit"] = median(ratios);
+  state.counters["preparing_steps"] = median(preparing);
   state.counters["error_mm"] = 1e3 * error;
   state.counters["handled"] = elements;
 }
@@ -163,8 +159,8 @@ void threads(benchmark::State& state, std::string_view name, const HandlerOption
     ratios.push_back(one / many);
   }
   state.counters["threads"] = most;
-  state.counters["ms_a_step"] = 1e3 * medianOf(all);
-  state.counters["times_as_fast_as_one"] = medianOf(ratios);
+  state.counters["ms_a_step"] = 1e3 * median(all);
+  state.counters["times_as_fast_as_one"] = median(ratios);
   state.counters["handled"] = handled;
 }
 

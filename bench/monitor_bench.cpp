@@ -15,6 +15,7 @@
 #include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/infinity.h>
+#include <ringwatch/base/median.h>
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/integrators/symplectic_euler.h>
 #include <ringwatch/monitor/bounds/global_frequency.h>
@@ -299,9 +300,7 @@ void singleElements(benchmark::State& state, const Case& c, int split, int count
       forces.push_back(between - before);
       counted = growth ? WorkAccount::ofGrowth(body, chosen) : WorkAccount::ofEvaluation(body, chosen);
     }
-  std::nth_element(forces.begin(), forces.begin() + samples / 2, forces.end());
-  std::nth_element(singles.begin(), singles.begin() + samples / 2, singles.end());
-  state.counters["units"] = singles[samples / 2] / forces[samples / 2] * WorkAccount::ofForce(body) / count;
+  state.counters["units"] = median(std::move(singles)) / median(std::move(forces)) * WorkAccount::ofForce(body) / count;
   state.counters["counted"] = counted / count;
 }
 

@@ -12,6 +12,7 @@
 #include <bench/runs.h>
 #include <bench/support.h>
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/median.h>
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/integrators/symplectic_euler.h>
 #include <ringwatch/meshes/node_order.h>
@@ -298,10 +299,6 @@ double secondsOf(const Work& work) {
   const auto begin = std::chrono::steady_clock::now();
   work();
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
-  return values[values.size() / 2];
 }
 
 /// A pass of several bodies, one after the other and again, so that other programs hurt all of them alike: median

@@ -20,6 +20,7 @@
 #include <bench/runs.h>
 #include <bench/support.h>
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/median.h>
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/integrators/symplectic_euler.h>
 #include <ringwatch/meshes/mesh_io.h>
@@ -96,8 +97,7 @@ void startUp(int wanted, const Format& format) {
   });
   std::vector<double> steps(15);
   for (double& step : steps) step = secondsOf([&] { integrator.step(*system, state, h); });
-  std::nth_element(steps.begin(), steps.begin() + 7, steps.end());
-  const double step = steps[7], started = [&] {
+  const double step = median(std::move(steps)), started = [&] {
     double sum = 0;
     for (const Row& row : rows) sum += row.seconds;
     return sum;

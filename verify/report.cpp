@@ -1,6 +1,5 @@
 #include <ringwatch/verify/report.h>
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -31,13 +30,6 @@ void checkAtMost(StudyReport& report, std::string name, double measured, double 
 }
 void checkAtLeast(StudyReport& report, std::string name, double measured, double expected, double tolerance) {
   report.checks.push_back({std::move(name), measured, expected, tolerance, StudyCheck::Sense::atLeast});
-}
-
-double median(std::vector<double> values) {
-  if (values.empty()) return std::nan("");
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 }  // namespace ringwatch

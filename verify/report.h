@@ -82,9 +82,6 @@ void checkAtMost(StudyReport& report, std::string name, double measured, double 
 /// Adds a check that measured >= expected - tolerance.
 void checkAtLeast(StudyReport& report, std::string name, double measured, double expected, double tolerance);
 
-/// Middle of some values; NaN without any.
-double median(std::vector<double> values);
-
 /// How much work a study may do: quick for every test run (seconds), full for the command line.
 enum class StudyEffort { quick, full };
 

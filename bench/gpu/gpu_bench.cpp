@@ -20,6 +20,7 @@
 #include <Eigen/LU>
 
 #include <bench/gpu/bench.h>
+#include <ringwatch/base/median.h>
 #include <ringwatch/base/parallel.h>
 #include <ringwatch/gpu/body/device_body_impl.h>
 #include <ringwatch/gpu/certificate/device_certificate.h>
@@ -50,8 +51,7 @@ double timeOf(const std::function<void(std::int64_t)>& repeat, const std::functi
     wait();
     times.push_back((seconds() - start) / static_cast<double>(count));
   }
-  std::nth_element(times.begin(), times.begin() + 4, times.end());
-  return times[4];
+  return median(std::move(times));
 }
 
 }  // namespace ringwatch::bench

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <bench/gpu/bench.h>
+#include <ringwatch/base/median.h>
 #include <ringwatch/gpu/certificate/device_certificate.h>
 #include <ringwatch/gpu/imex/device_imex_impl.h>
 #include <ringwatch/handlers/imex/implicit_cluster.h>
@@ -107,8 +108,7 @@ void measure(const std::string& name, bool layer) {
     good = host.step() && good;
     times.push_back(seconds() - start);
   }
-  std::nth_element(times.begin(), times.begin() + compared / 2, times.end());
-  const double hostTime = times[compared / 2];
+  const double hostTime = median(std::move(times));
   imex.step(compared);
   const DeviceImex::Status status = imex.status();
   good = good && status.fault.empty();

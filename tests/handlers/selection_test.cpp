@@ -2,10 +2,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/median.h>
 #include <ringwatch/handlers/handler.h>
 #include <ringwatch/meshes/generators/generators.h>
 #include <ringwatch/meshes/modify/cut.h>
@@ -162,9 +162,7 @@ TEST(Selection, RingsOfAPartAreThoseOfTheWhole) {
   ElementFlags some = noElements(body.mesh());
   for (std::size_t e = 0; e < some[0].size(); e += 7) some[0][e] = true;
   // A threshold in the midst of the rings.
-  std::vector<double> values = ReducedRing(body).evaluate(x).largest[0];
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
-  const double lambda = values[values.size() / 2];
+  const double lambda = median(ReducedRing(body).evaluate(x).largest[0]);
   const ElementFlags all = selectByReducedRing(body, x, lambda), part = selectByReducedRing(body, x, lambda, some);
   std::size_t flagged = 0;
   for (std::size_t e = 0; e < all[0].size(); ++e) {

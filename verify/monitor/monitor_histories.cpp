@@ -9,6 +9,7 @@
 #include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/infinity.h>
+#include <ringwatch/base/median.h>
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/integrators/symplectic_euler.h>
 #include <ringwatch/meshes/generators/generators.h>
