@@ -3,7 +3,7 @@
 
     bench/handled_runs.py PROGRAM [--out DIR] [--jobs N] [--steps 10000] [--seconds S]
         [--longest S] [--bodies NAME …] [--laws NAME …] [--loads NAME …] [--factors N …] [--handlers NAME …]
-        [--method symplectic-euler] [--most-rise SHARE] [--most-fall SHARE]
+        [--method symplectic-euler] [--most-rise SHARE] [--most-fall SHARE] [--resume]
 
 PROGRAM is `ringwatch`; nothing else is needed. Every body is run with every law and load, in steps of so many times its
 critical step at rest, by every handler, with on_violation = "handle"; and by the plain scheme at a half of its critical
@@ -22,7 +22,8 @@ of pulled bodies over the whole run, at equal shares of the pull.
 With --seconds no run begins after so long; runs are made in random order, those of factors 2 and 5 before the others,
 and tables are of those that were made. Bodies are made here; those named tetgen-… by the program tetgen, and they are
 left out, by name, where there is none. DIR gets the rows (runs.csv), tables.md and, for each body, the time of a run
-over plain's against its error, medians over laws and loads (work_and_error.svg).
+over plain's against its error, medians over laws and loads (work_and_error.svg). Each run is noted as it ends
+(made.jsonl): with --resume those that are noted there with the same options are not made again.
 
 With --most-rise and --most-fall the exit status is 1 where a run that came to its end, of a handler, has an energy
 balance that rises or falls by more, as a share of the largest energy, or is wrongly told; such runs are printed.
@@ -343,6 +344,25 @@ def note_errors(rows):
             row["error"] = difference(motion, reference)
 
 
+def key_of(row):
+    return tuple(row[k] for k in ("body", "law", "load", "factor", "handler", "step"))
+
+
+def noted(file, study):
+    """The runs that a study has noted in a file, by key; the last line may be cut off. None of another study."""
+    lines = file.read_text().splitlines() if file.exists() else []
+    if lines and json.loads(lines[0]) != study:
+        raise SystemExit(f"{file}: is of the study {lines[0]}, not of {json.dumps(study)}; take another --out or leave --resume out")
+    rows = {}
+    for line in lines[1:]:
+        try:
+            row = json.loads(line)
+        except ValueError:
+            break
+        rows[key_of(row)] = row
+    return rows
+
+
 def critical_step(program, mesh, law):
     done = subprocess.run([program, "inspect", str(mesh), "--young", str(YOUNG), "--poisson", str(POISSON), "--density",
                            str(DENSITY), "--model", law, "--json", "-", "--threads", "1"],
@@ -353,7 +373,7 @@ def critical_step(program, mesh, law):
 def table(rows, of, title):
     """Share of runs lost, by `of` and handler."""
     names = [h for h in HANDLERS if any(r["handler"] == h for r in rows)]
-    keys = list(dict.fromkeys(r[of] for r in rows))
+    keys = sorted({r[of] for r in rows}, key=str)
     lines = [f"## {title}", "", f"| {of} | " + " | ".join(names) + " |", "|---" * (len(names) + 1) + "|"]
     for key in keys + ["all"]:
         cells = []
@@ -474,9 +494,13 @@ def main():
     parser.add_argument("--loads", nargs="+", default=list(LOADS), choices=list(LOADS))
     parser.add_argument("--factors", nargs="+", type=float, default=FACTORS)
     parser.add_argument("--handlers", nargs="+", default=list(HANDLERS), choices=list(HANDLERS))
+    parser.add_argument("--resume", action="store_true", help="take the runs that DIR has noted, and make the others")
     options = parser.parse_args()
     begin = time.monotonic()
     options.out.mkdir(parents=True, exist_ok=True)
+    notes = options.out / "made.jsonl"
+    study = {"steps": options.steps, "method": options.method}
+    made = noted(notes, study) if options.resume else {}
     with tempfile.TemporaryDirectory() as scratch:
         scratch = pathlib.Path(scratch)
         cases = []
@@ -505,13 +529,19 @@ def main():
         random.Random(1).shuffle(cases)
         first = (0.5, *FACTORS[:2])
         cases.sort(key=lambda case: case["factor"] not in first)
-        rows = []
-        with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        wanted = len(cases)
+        rows = [made[key_of(case)] for case in cases if key_of(case) in made]
+        cases = [case for case in cases if key_of(case) not in made]
+        with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool, notes.open("w") as file:
+            for row in (study, *made.values()):
+                print(json.dumps(row), file=file)
+            file.flush()
             late = lambda: options.seconds and time.monotonic() - begin > options.seconds
             work = lambda case: None if late() else run(options.program, scratch, case, options.longest)
             for count, row in enumerate(pool.map(work, cases), 1):
                 if row:
                     rows.append(row)
+                    print(json.dumps(row), file=file, flush=True)
                 if sys.stderr.isatty() and count % 10 == 0:
                     print(f"\r{count} of {len(cases)} runs", end="", file=sys.stderr)
     note_errors(rows)
@@ -522,7 +552,7 @@ def main():
         writer = csv.DictWriter(file, columns)
         writer.writeheader()
         writer.writerows(rows)
-    text = f"{len(rows)} of {len(cases)} runs, {options.steps} steps each.\n\n" + summary_table(rows)
+    text = f"{len(rows)} of {wanted} runs, {options.steps} steps each.\n\n" + summary_table(rows)
     for of in ("law", "load", "factor", "body"):
         text += "\n" + table(rows, of, f"Lost, by {of}")
     (options.out / "tables.md").write_text(text)

@@ -65,33 +65,8 @@ MIXED = (17 * 5, 17, 17)  # cells, 3.75 elements each in the mean
 STEPS, ROUNDS = 1000, 3
 PLAIN = run_cost.VARIANTS["plain"]
 WATCHED = {key: value for key, value in PLAIN.items() if key != "monitor.bracket"}
-MATERIAL = {"young": handled_runs.YOUNG, "poisson": handled_runs.POISSON, "density": handled_runs.DENSITY}
-SCENE = """
-[mesh]
-{mesh}
-[material]
-model = "stvk"
-young = {young}
-poisson = {poisson}
-density = {density}
-[integrator]
-step = {step}
-end = {end}
-[monitor]
-on_violation = "warn"
-[output]
-picture = false
-history_every = 1
-{load}
-"""
 LOADS = {
-    "slow pull": """
-[[fix]]
-where = "x < {low} + 0.02 * {length}"
-[[move]]
-where = "x > {high} - 0.02 * {length}"
-velocity = [{speed}, 0, 0]
-""",
+    "slow pull": run_cost.PULL,
     "dropped": """
 [[initial]]
 where = "all"
@@ -162,14 +137,15 @@ def print_scenes(program):
 
 def row_of_scene(program, folder, mesh, keys, nodes, load, text):
     low, high, bottom = min(n[0] for n in nodes), max(n[0] for n in nodes), min(n[2] for n in nodes)
-    load_text = text.format(low=low, high=high, length=high - low, bottom=bottom, speed=0.1 * (high - low))
-    scene = lambda step, end, load=load_text: SCENE.format(mesh=keys, load=load, step=step, end=end, **MATERIAL)
+    length = high - low
+    load_text = text.format(low=low + 0.02 * length, high=high - 0.02 * length, bottom=bottom, speed=0.1 * length)
+    scene = lambda step, end, load=load_text: run_cost.SCENE.format(mesh=keys, load=load, step=step, end=end)
     first = run_cost.run(program, folder, scene('"auto"', 1e-9, ""), {}, 1)
     step = 0.5 * first["safe_seen"]["least"]
     seconds, _ = run_cost.times_of_step(program, folder, lambda end: scene(step, end), {"plain": PLAIN, "watched": WATCHED}, step,
                                         STEPS, ROUNDS, 1)
     costs = [watched / plain - 1 for watched, plain in zip(seconds["watched"], seconds["plain"])]
-    whole = run_cost.run(program, folder, scene(step, STEPS * step), {}, 1)
+    whole = run_cost.run(program, folder, scene(step, STEPS * step), {"output.history_every": "1"}, 1)
     width = bracket_widths(folder / "out" / "history.csv")
     elements = sum(whole["mesh"]["elements"].values())
     share = whole["certified_steps"] / whole["watched_steps"]

@@ -30,12 +30,7 @@ VARIANTS = {
 }
 SCENE = """
 [mesh]
-generate = "bar"
-size = [{length}, {width}, {width}]
-cells = [{long}, {cells}, {cells}]
-element = "{element}"
-split = {split}
-jitter = {jitter}
+{mesh}
 [material]
 model = "stvk"
 young = 30e3
@@ -46,13 +41,24 @@ step = {step}
 end = {end}
 [monitor]
 on_violation = "warn"
-[[fix]]
-where = "x < 1e-9"
-[[move]]
-where = "x > {length} - 1e-9"
-velocity = [{speed}, 0, 0]
+{load}
 [output]
 picture = false
+"""
+BAR = """
+generate = "bar"
+size = [{length}, {width}, {width}]
+cells = [{long}, {cells}, {cells}]
+element = "{element}"
+split = {split}
+jitter = {jitter}
+"""
+PULL = """
+[[fix]]
+where = "x < {low}"
+[[move]]
+where = "x > {high}"
+velocity = [{speed}, 0, 0]
 """
 CELL = 0.01  # m
 
@@ -91,11 +97,13 @@ def times_of_step(program, folder, scene_of, variants, step, steps, rounds, thre
 def measure(arguments, folder, case, pull):
     element, split, jitter = CASES[case]
     long, width = 5 * arguments.cells, arguments.cells * CELL
-    keys = {"length": long * CELL, "width": width, "long": long, "cells": arguments.cells, "element": element, "split": split,
-            "jitter": jitter, "speed": PULLS[pull] * long * CELL}
-    first = run(arguments.program, folder, SCENE.format(step='"auto"', end=1e-9, **keys), {}, arguments.threads)
+    length, least = long * CELL, 1e-9
+    mesh = BAR.format(length=length, width=width, long=long, cells=arguments.cells, element=element, split=split, jitter=jitter)
+    load = PULL.format(low=least, high=length - least, speed=PULLS[pull] * length)
+    scene = lambda step, end: SCENE.format(mesh=mesh, load=load, step=step, end=end)
+    first = run(arguments.program, folder, scene('"auto"', 1e-9), {}, arguments.threads)
     step = 0.5 * first["safe_seen"]["least"]
-    seconds, starts = times_of_step(arguments.program, folder, lambda end: SCENE.format(step=step, end=end, **keys), VARIANTS, step,
+    seconds, starts = times_of_step(arguments.program, folder, lambda end: scene(step, end), VARIANTS, step,
                                     arguments.steps, arguments.rounds, arguments.threads)
     elements = sum(first["mesh"]["elements"].values())
     plain = statistics.median(seconds["plain"])
