@@ -266,10 +266,11 @@ void ExchangeCertificate::follow(NodeVectorsView x, double mostRaise, double lea
     unit_ = 0;
   }
   if (!holds_) {
-    if (evaluation) body_.evaluate(x, *evaluation, workspace_);
+    if (evaluation) body_.evaluate(x, *evaluation, outsideBalls_.workspace());
     return;
   }
-  std::vector<ElementRef> outside = elementsOutsideBall(x, evaluation);
+  std::vector<ElementRef> outside = outsideBalls_.find(body_, blocks_, x, evaluation);
+  for (const BlockData& data : blocks_) workOfTests_ += data.balls.workOfCheck();
   if (!outside.empty()) proveAnew(x, outside, mostRaise, leastPart);
   addDiscreteForces(x);
 }
@@ -567,46 +568,6 @@ std::vector<ElementRef> ExchangeCertificate::turnFrames(NodeVectorsView x, const
   if (turned.empty()) return {};
   turned_ = true;
   return weights_.elementsAt(turned);
-}
-
-std::vector<ElementRef> ExchangeCertificate::elementsOutsideBall(NodeVectorsView x, StepEvaluation* evaluation) {
-  class Check final : public PatchVisitor {
-   public:
-    explicit Check(ExchangeCertificate& certificate) : certificate_(certificate) {
-      outside.resize(certificate.blocks_.size());
-      for (std::size_t b = 0; b < outside.size(); ++b)
-        outside[b].resize(certificate.body_.blocks()[b]->layout().patches.size());
-    }
-    void visitPatch(std::size_t block, const PatchPass& pass) override {
-      certificate_.blocks_[block].balls.checkPatch(pass, outside[block][pass.index()]);
-    }
-    std::vector<std::vector<std::vector<std::int32_t>>> outside;  // elements, [block][patch]
-
-   private:
-    ExchangeCertificate& certificate_;
-  };
-  Check check(*this);
-  StepEvaluation checkOnly;
-  checkOnly.wantsForce = false;
-  StepEvaluation& asked = evaluation ? *evaluation : checkOnly;
-  asked.visitor = &check;
-  body_.evaluate(x, asked, workspace_);
-  asked.visitor = nullptr;
-  std::vector<ElementRef> result;
-  for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    workOfTests_ += blocks_[b].balls.workOfCheck();
-    for (const auto& list : check.outside[b])
-      for (const std::int32_t e : list) result.push_back({static_cast<std::int32_t>(b), e});
-  }
-  const std::size_t byBalls = result.size();
-  for (std::size_t b = 0; b < blocks_.size(); ++b)
-    for (std::size_t place = 0; place < blocks_[b].counted.size(); ++place) {
-      const std::int32_t e = body_.blocks()[b]->layout().elements[place];
-      if (e >= 0 && blocks_[b].rates->coefficient(place) > blocks_[b].counted[place])
-        result.push_back({static_cast<std::int32_t>(b), e});
-    }
-  if (result.size() > byBalls) sortUnique(result);
-  return result;
 }
 
 double ExchangeCertificate::verify(NodeVectorsView x) const {

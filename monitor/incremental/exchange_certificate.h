@@ -10,7 +10,7 @@
 #include <ringwatch/body/body.h>
 #include <ringwatch/body/element_damping.h>
 #include <ringwatch/monitor/bounds/exchange_bound.h>
-#include <ringwatch/monitor/incremental/validity_balls.h>
+#include <ringwatch/monitor/incremental/outside_balls.h>
 
 namespace ringwatch {
 
@@ -105,6 +105,7 @@ class ExchangeCertificate {
     std::vector<std::int16_t> entries;
     const DampedBlock* rates = nullptr;
     std::vector<double> counted = {};
+    bool rateHasRisen(std::size_t place) const { return rates->coefficient(place) > counted[place]; }
   };
   /// What a proof came to: the raise that it needs (1: none, infinity: more than any that is tried), and the ball.
   struct Proof {
@@ -124,7 +125,6 @@ class ExchangeCertificate {
   void proveAnew(NodeVectorsView x, std::vector<ElementRef>& outside, double mostRaise, double leastPart);
   /// Proves elements at x and gives them their balls; returns the raise that they need.
   double renew(NodeVectorsView x, const std::vector<ElementRef>& elements, double leastPart);
-  std::vector<ElementRef> elementsOutsideBall(NodeVectorsView x, StepEvaluation* evaluation);
   /// Turns the frames of the elements' nodes with their surroundings, and returns all elements at those that turned.
   std::vector<ElementRef> turnFrames(NodeVectorsView x, const std::vector<ElementRef>& elements);
   /// The rotations of nodes' surroundings since the reference configuration: of the mean of their elements' gradients.
@@ -156,7 +156,7 @@ class ExchangeCertificate {
   // at x, and where they are not zero.
   std::vector<Eigen::Matrix3d> sums_, seen_, majorants_;
   std::vector<std::int32_t> majorantsAt_;
-  Body::Workspace workspace_;
+  OutsideBalls outsideBalls_;
 };
 
 }  // namespace ringwatch

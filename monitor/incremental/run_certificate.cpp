@@ -282,40 +282,9 @@ void RunCertificate::note(ElementRef e, double determinant, double negative) {
 }
 
 std::vector<ElementRef> RunCertificate::elementsOutsideBall(NodeVectorsView x, StepEvaluation* evaluation) {
-  outside_.resize(blocks_.size());
-  for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    outside_[b].resize(body().blocks()[b]->layout().patches.size());
-    for (auto& list : outside_[b]) list.clear();
-  }
-  class Check final : public PatchVisitor {
-   public:
-    explicit Check(RunCertificate& state) : state_(state) {}
-    void visitPatch(std::size_t block, const PatchPass& pass) override {
-      state_.blocks_[block].balls.checkPatch(pass, state_.outside_[block][pass.index()]);
-    }
-
-   private:
-    RunCertificate& state_;
-  };
-  Check check(*this);
-  StepEvaluation checkOnly;
-  checkOnly.wantsForce = false;
-  StepEvaluation& asked = evaluation ? *evaluation : checkOnly;
-  asked.visitor = &check;
-  body().evaluate(x, asked, workspace_);
-  asked.visitor = nullptr;
+  const std::vector<ElementRef> outside = outsideBalls_.find(body(), blocks_, x, evaluation);
   statistics_.work[WorkOn::tests] += WorkAccount::ofNodes(body()) + WorkAccount::ofContact(body());
   for (const BlockData& data : blocks_) statistics_.work[WorkOn::tests] += data.balls.workOfCheck();
-  std::vector<ElementRef> outside;
-  for (std::size_t b = 0; b < blocks_.size(); ++b)
-    for (const auto& list : outside_[b])
-      for (const std::int32_t e : list) outside.push_back({b, e});
-  const std::size_t byBalls = outside.size();
-  for (std::size_t b = 0; b < blocks_.size(); ++b)
-    for (std::size_t place = 0; place < blocks_[b].counted.size(); ++place)
-      if (blocks_[b].rateHasRisen(place) && body().blocks()[b]->layout().elements[place] >= 0)
-        outside.push_back({b, body().blocks()[b]->layout().elements[place]});
-  if (outside.size() > byBalls) sortUnique(outside);
   return outside;
 }
 

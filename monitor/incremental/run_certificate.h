@@ -6,8 +6,8 @@
 
 #include <ringwatch/base/short_floats.h>
 #include <ringwatch/monitor/incremental/certificate_state.h>
+#include <ringwatch/monitor/incremental/outside_balls.h>
 #include <ringwatch/monitor/incremental/rebuild_policy.h>
-#include <ringwatch/monitor/incremental/validity_balls.h>
 #include <ringwatch/monitor/incremental/work_account.h>
 
 namespace ringwatch {
@@ -82,8 +82,7 @@ class RunCertificate : public CertificateState<RoundedDown<float>> {
   double leastForDiscreteForces() const;
   /// Raises the certified eigenvalue to what nodes need, and a share more.
   void raiseForNodes(const std::vector<std::int32_t>& nodes, double share);
-  /// The elements that are outside their balls at x: each by its own numbers alone. Unless nullptr, `evaluation` is
-  /// filled in by the same pass; its visitor is not used.
+  /// The elements that are outside their balls at x (OutsideBalls::find); its work is counted.
   std::vector<ElementRef> elementsOutsideBall(NodeVectorsView x, StepEvaluation* evaluation);
 
   /// Gives every element the largest allowance that its nodes have room for below the certified eigenvalue, in
@@ -180,12 +179,11 @@ class RunCertificate : public CertificateState<RoundedDown<float>> {
   std::vector<Eigen::Quaternionf> frames_;
   double mostCompression_ = 0;
   UpdateStatistics statistics_;
-  Body::Workspace workspace_;
+  OutsideBalls outsideBalls_;
   // Majorants of discrete forces: by place, and where they are not zero. Those that count are the weights'.
   std::vector<Eigen::Matrix3d> needed_, withRoom_;
   std::vector<std::int32_t> neededAt_, withRoomAt_, majorantsAt_;
-  std::vector<std::vector<std::vector<std::int32_t>>> outside_;  // elements, [block][patch]
-  std::vector<Need> needs_;                                      // of growBalls, kept for its memory
+  std::vector<Need> needs_;  // of growBalls, kept for its memory
 };
 
 }  // namespace ringwatch
