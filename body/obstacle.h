@@ -29,7 +29,7 @@ class Obstacle {
   virtual Surface at(const Eigen::Vector3d& point) const = 0;
   /// Of some nodes at x, 3×N, against the obstacle moved by `displacement`, m: the places in `nodes` of those with a
   /// distance of at most `gap`, m, ascending, and by rounding of some that are hardly farther. near: has room for all.
-  /// Returns how many there are. Many times as fast as at() for each.
+  /// Returns how many there are. It takes less than a call of at() for each.
   virtual std::size_t within(double gap, NodeVectorsView x, std::span<const std::int32_t> nodes,
                              const Eigen::Vector3d& displacement, std::int32_t* near) const = 0;
 };
