@@ -122,10 +122,9 @@ void RunCertificate::renewMajorants(NodeVectorsView x) {
   const DiscreteForces* discrete = body().discreteForces();
   if (!discrete) return;
   std::vector<Eigen::Matrix3d> majorants;
-  discrete->majorants(x, true, majorants);
   majorantsAt_.clear();
-  for (std::size_t k = 0; k < majorants.size(); ++k)
-    if (majorants[k].trace() != 0) majorantsAt_.push_back(static_cast<std::int32_t>(k));
+  discrete->majorants(x, true, majorants, majorantsAt_);
+  std::sort(majorantsAt_.begin(), majorantsAt_.end());
   weights().setMajorants(std::move(majorants));
 }
 
