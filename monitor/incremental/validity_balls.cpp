@@ -71,6 +71,14 @@ RINGWATCH_INLINE S comparedSquare(const S& radius, double squareOfCentre) {
          S(commonSquareRounding * (squareOfCentre + BatchBalls::dimensions));
 }
 
+/// The same of an element whose reference gradients lie so far from C; < 0 where little is left.
+template <class S>
+RINGWATCH_INLINE S aroundCentre(const S& radius, const S& farthest2, double squareOfCentre) {
+  const S around = radius - math::sqrt(farthest2);
+  const auto has = (radius >= S(0.0)) & (around >= S(leastAroundCentre) * radius);
+  return select(has, comparedSquare(around, squareOfCentre), S(-1.0));
+}
+
 /// The squared radius about the centre of a batch where the element's own has changed and its reference gradient has
 /// not.
 template <class S>
@@ -156,7 +164,24 @@ void ValidityBalls::setRadius(std::size_t place, double aroundF0, double fromSto
   const double before = radius_[place], own = std::min(aroundF0, largestRadius) - fromStored;
   radius_[place] = own >= 0 ? own : -1.0;
   const double square = squareAroundCentre_[place], now = radius_[place];
-  squareAroundCentre_[place] = movedSquare(square, before, now, squareOfCentre(place / lanes));
+  squareAroundCentre_[place] =
+      square >= 0 ? movedSquare(square, before, now, squareOfCentre(place / lanes)) : squareAround(place, now);
+}
+
+double ValidityBalls::squareAround(std::size_t place, double radius) const {
+  const std::size_t batch = place / lanes;
+  const double* const centre = centre_.data() + BatchBalls::centreSize * batch;
+  const std::int16_t* stored = referenceOf(static_cast<std::int32_t>(batch)) + place % lanes;
+  double farthest2 = 0;
+  for (int q = 0; q < points_; ++q) {
+    double distance2 = 0;
+    for (int i = 0; i < 9; ++i, stored += lanes) {
+      const double off = entryUnit * *stored - centre[i];
+      distance2 += off * off;
+    }
+    farthest2 = std::max(farthest2, distance2);
+  }
+  return aroundCentre(radius, farthest2, squareOfCentre(batch));
 }
 
 void ValidityBalls::setRadii(std::int32_t batch, NativePack aroundF0) {
@@ -235,11 +260,8 @@ bool ValidityBalls::setCentre(std::int32_t batch, const double (&given)[9], bool
     }
     farthest2 = math::max(farthest2, distance2);
   }
-  const P around = radius - math::sqrt(farthest2);
   RoundedDown<Bfloat16>* const squares = squareAroundCentre_.data() + firstOf(batch);
-  storeRadii(select((radius >= P(0.0)) & (around >= P(leastAroundCentre) * radius),
-                    comparedSquare(around, squareOfCentre), P(-1.0)),
-             squares);
+  storeRadii(aroundCentre(radius, farthest2, squareOfCentre), squares);
   const P square = RoundedDown<Bfloat16>::load(squares);
   auto inside = square >= P(0.0);
   for (int q = 0; q < points_; ++q) {

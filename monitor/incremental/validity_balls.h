@@ -79,6 +79,8 @@ class ValidityBalls {
             radius_.data(),
             left_.data()};
   }
+  /// The square about the centre that the batch has, of an element with a new reference gradient; < 0: there is none.
+  double squareAround(std::size_t place, double radius) const;
   /// Gives the batch the mean of the gradients of the elements `of` as its centre, those with small balls first.
   /// Whether these are inside by it.
   bool moveCentre(std::int32_t batch, const double* F, const NativePack::Mask& of);

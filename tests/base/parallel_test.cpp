@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include <ringwatch/base/aligned.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/nearest_name.h>
 #include <ringwatch/base/parallel.h>
@@ -65,13 +64,6 @@ TEST(ParallelSum, HasTheSameBitsForAnyNumberOfThreads) {
 TEST(ParallelFor, ThreadCountTakesTheRequestOrAll) {
   EXPECT_EQ(threadCount(3), 3);
   EXPECT_GE(threadCount(0), 1);
-}
-
-TEST(AlignedVector, StartsOnACacheLine) {
-  for (std::size_t size : {1u, 3u, 100u}) {
-    const AlignedVector<double> v(size);
-    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(v.data()) % 64, 0u);
-  }
 }
 
 TEST(TypeList, IsVisitedInOrder) {

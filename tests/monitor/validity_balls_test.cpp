@@ -298,6 +298,33 @@ TEST(ValidityBalls, AreComparedWithDiagonalCentresWhereLittleIsBesideTheDiagonal
   EXPECT_NEAR(ofSheared / ofLittle, 1.5, 1e-12);
 }
 
+TEST(ValidityBalls, AnElementThatIsEvaluatedKeepsTheCentreOfItsBatch) {
+  const Body body = longBar();
+  const NodeVectors& X = body.mesh().X;
+  for (const bool withForce : {false, true}) {
+    Checked checked(body);
+    const auto check = [&](const NodeVectors& x) { return withForce ? checked.checkWithForce(x) : checked.check(x); };
+    checked.setBalls(X, 0.1);
+    EXPECT_TRUE(check(X).empty());  // gets its centres
+    Eigen::Matrix3d near = Eigen::Matrix3d::Identity();
+    near(0, 1) = 0.02;
+    const NodeVectors x = near * X;
+    EXPECT_TRUE(check(x).empty());
+    for (const std::int32_t e : {3, 700, 701}) checked.setBall(e, x, 0.05);
+    EXPECT_TRUE(check(x).empty());
+    EXPECT_EQ(checked.balls.testedBatches(), 0U);
+    // Outside of these balls, inside of all others.
+    near(0, 1) = 0.0701;
+    EXPECT_EQ(check(near * X), (std::set<std::int32_t>{3, 700, 701}));
+    near(0, 1) = -0.0301;
+    EXPECT_EQ(check(near * X), (std::set<std::int32_t>{3, 700, 701}));
+    // A gradient far from the centre has none there.
+    const NodeVectors far = 2 * X;
+    checked.setBall(700, far, 0.05);
+    EXPECT_EQ(check(X), std::set<std::int32_t>{700});
+  }
+}
+
 TEST(ValidityBalls, OneNodeThatMovesHasFewBatchesTested) {
   const Body body = longBar();
   Checked checked(body);
