@@ -72,8 +72,9 @@ class WorkAccount {
         evaluation_(ofEvaluation(body)),
         rebuild_(ofRebuild(body)),
         advance_(rebuildsInAdvance * rebuild_ <= inAdvance ? inAdvance : 0),
-        mostForVerdict_(income_ > 0 ? 2 * ofDiagonal(body) + ofProducts(body, productsKept) + ofDearestRing(body) : 0),
-        mostForSearches_(income_ > 0 ? 2 * ofProducts(body, productsKept) : 0),
+        mostForVerdict_(
+            income_ > 0 ? searchesKept * ofDiagonal(body) + ofProducts(body, productsKept) + ofDearestRing(body) : 0),
+        mostForSearches_(income_ > 0 ? searchesKept * ofProducts(body, productsKept) : 0),
         besideTests_(income_),
         balance_(stepsInAdvance * (1 - shareOfMode) * income_),
         verdict_(income_ > 0
@@ -138,7 +139,7 @@ class WorkAccount {
   }
   /// Allowances for all elements; strain norms as well where weights are new.
   static double ofDistribution(const Body& body, bool newWeights) {
-    return (newWeights ? 1.7 : 0.6) * ofEvaluation(body);
+    return (newWeights ? evaluationsOfNewWeights : evaluationsOfDistribution) * ofEvaluation(body);
   }
   /// Moving all allowances, and radii with them.
   static double ofMove(const Body& body) { return unitsOfMove * elements(body); }
@@ -172,7 +173,7 @@ class WorkAccount {
     for (const auto& block : body.blocks()) dearest = std::max(dearest, ofRing(*block));
     return dearest;
   }
-  static double ofAllRings(const Body& body) { return 1.6 * ofEvaluation(body); }
+  static double ofAllRings(const Body& body) { return evaluationsOfAllRings * ofEvaluation(body); }
 
   /// A step's income. No more is kept than two rebuilds cost; for the lower side, than all reduced rings twice and some
   /// products do. seeksVerdict: the step that is taken is not certified.
@@ -180,17 +181,17 @@ class WorkAccount {
     besideTests_ = std::max(income_ - testsSince_, leastBesideTests * income_);
     testsSince_ = 0;
     balance_ += incomeForProvenSide(seeksVerdict);
-    save(mode_, incomeForMode(), 4 * evaluation_ + productsKept * forcesOfProduct * force_);
-    save(proof_, shareOfProof * besideTests_, 6 * evaluation_);
+    save(mode_, incomeForMode(), evaluationsForMode * evaluation_ + productsKept * forcesOfProduct * force_);
+    save(proof_, shareOfProof * besideTests_, evaluationsForProof * evaluation_);
     save(searches_, shareOfSearches * besideTests_, mostForSearches_);
     if (seeksVerdict) verdict_ = std::min(verdict_ + incomeForVerdict(), mostForVerdict_);
-    balance_ = std::min(balance_, 2 * rebuild_);
+    balance_ = std::min(balance_, rebuildsKept * rebuild_);
     asked_ += (askedSince_ - asked_) / stepsOfMean;
     askedSince_ = 0;
   }
   /// What evaluations and repairs have lately asked for, over what is earned for them: above 1 balls are too small for
   /// what there is.
-  double load() const { return income_ > 0 ? asked_ / incomeForProvenSide() : 2; }
+  double load() const { return income_ > 0 ? asked_ / incomeForProvenSide() : loadWithoutIncome; }
   /// All balls have grown: what was asked for before says nothing more of them.
   void ballsGrow() { asked_ = std::min(asked_, incomeForProvenSide()); }
   void spend(const Work& work) {
@@ -274,7 +275,13 @@ class WorkAccount {
   static constexpr double evaluationsOfDecomposition = 2.8, evaluationsOfFactorisation = 2.8;
   static constexpr double evaluationsOfShares = 26, evaluationsOfIteration = 4.7;
   static constexpr double unitsOfMove = 1.6, unitsOfNode = 0.25, unitsOfContactNode = 0.3;
-  static constexpr double productsKept = 12;
+  static constexpr double evaluationsOfNewWeights = 1.7, evaluationsOfDistribution = 0.6, evaluationsOfAllRings = 1.6;
+  // What is kept at most of each income: of rebuilds, of all rings for the lower side, of refreshes for the proof, of
+  // searches among all nodes for the verdict and for negative stiffness.
+  static constexpr double rebuildsKept = 2, evaluationsForMode = 4, evaluationsForProof = 6, searchesKept = 2,
+                          productsKept = 12;
+  /// What load() is where nothing is earned: as if twice too much were asked for.
+  static constexpr double loadWithoutIncome = 2;
   static constexpr double leastIncome = 2000, leastBesideTests = 0.2, shareOfMode = 0.3, shareOfProof = 0.15,
                           shareOfVerdict = 0.25, shareOfSearches = 0.1, shareAtStart = 0.3, forcesOfCredit = 0.5,
                           mostOwedOfEvaluation = 0.2;
