@@ -168,19 +168,26 @@ void ValidityBalls::setRadius(std::size_t place, double aroundF0, double fromSto
       square >= 0 ? movedSquare(square, before, now, squareOfCentre(place / lanes)) : squareAround(place, now);
 }
 
+template <class Entry>
+double ValidityBalls::squareOfDistance(std::size_t place, const Entry& entry) const {
+  const std::size_t points = points_;
+  const std::int16_t* stored = referenceGradient_.data() + place / lanes * points * 9 * lanes + place % lanes;
+  double farthest2 = 0;
+  for (std::size_t q = 0; q < points; ++q) {
+    double distance2 = 0;
+    for (std::size_t i = 0; i < 9; ++i) {
+      const double off = entry(q, i) - entryUnit * stored[(9 * q + i) * lanes];
+      distance2 += off * off;
+    }
+    if (!(distance2 <= farthest2)) farthest2 = distance2;  // a NaN stays
+  }
+  return farthest2;
+}
+
 double ValidityBalls::squareAround(std::size_t place, double radius) const {
   const std::size_t batch = place / lanes;
   const double* const centre = centre_.data() + BatchBalls::centreSize * batch;
-  const std::int16_t* stored = referenceOf(static_cast<std::int32_t>(batch)) + place % lanes;
-  double farthest2 = 0;
-  for (int q = 0; q < points_; ++q) {
-    double distance2 = 0;
-    for (int i = 0; i < 9; ++i, stored += lanes) {
-      const double off = entryUnit * *stored - centre[i];
-      distance2 += off * off;
-    }
-    farthest2 = std::max(farthest2, distance2);
-  }
+  const double farthest2 = squareOfDistance(place, [centre](std::size_t, std::size_t i) { return centre[i]; });
   return aroundCentre(radius, farthest2, squareOfCentre(batch));
 }
 
@@ -199,18 +206,9 @@ void ValidityBalls::setRadii(std::int32_t batch, NativePack aroundF0) {
 void ValidityBalls::setNeverOutside(std::size_t place) { radius_[place] = infinity; }
 
 double ValidityBalls::distance(std::size_t place, const double* F, int lane) const {
-  const std::size_t points = points_;
-  const std::int16_t* stored = referenceGradient_.data() + place / lanes * points * 9 * lanes + place % lanes;
-  double farthest2 = 0;
-  for (std::size_t q = 0; q < points; ++q) {
-    double distance2 = 0;
-    for (std::size_t i = 0; i < 9; ++i) {
-      const double off =
-          F[(9 * q + i) * lanes + static_cast<std::size_t>(lane)] - entryUnit * stored[(9 * q + i) * lanes];
-      distance2 += off * off;
-    }
-    if (!(distance2 <= farthest2)) farthest2 = distance2;  // a NaN stays
-  }
+  const double farthest2 = squareOfDistance(place, [F, lane](std::size_t q, std::size_t i) {
+    return F[(9 * q + i) * lanes + static_cast<std::size_t>(lane)];
+  });
   return std::sqrt(farthest2) * (1 + distanceRounding) + storageError;
 }
 

@@ -79,6 +79,9 @@ class ValidityBalls {
             radius_.data(),
             left_.data()};
   }
+  /// The square of how far entry(q, i) lies from the stored gradients of an element, at the point where that is most.
+  template <class Entry>
+  double squareOfDistance(std::size_t place, const Entry& entry) const;
   /// The square about the centre that the batch has, of an element with a new reference gradient; < 0: there is none.
   double squareAround(std::size_t place, double radius) const;
   /// Gives the batch the mean of the gradients of the elements `of` as its centre, those with small balls first.
