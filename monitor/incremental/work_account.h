@@ -46,10 +46,11 @@ struct Work {
 
 /// What a monitor may spend along a run: a share of the work of the steps themselves, earned step by step. Work is
 /// counted, not timed, so that runs repeat bit by bit, in units of some 3.5 ns of a table that holds within a half for
-/// every element with St. Venant-Kirchhoff: an element of n nodes and q quadrature points takes (2 + 0.3 n) q units for
-/// its force, 0.4 n q where that goes one direction after the other, and (3n)³/26 for an evaluation among all others,
-/// which is the highest eigenvalue of a 3n×3n matrix: a tet4 21 forces, a hex8 21, a hex20 38. Of single elements along
-/// a run a pack takes as long as one, and the first is far from what the run has just computed, in code and in memory.
+/// every element with St. Venant-Kirchhoff: an element of n nodes and q quadrature points takes 0.4 n + (0.2 + 0.33 n)
+/// q units for its force, 0.32 n q where that goes one direction after the other, and (3n)³/26 for an evaluation among
+/// all others, which is the highest eigenvalue of a 3n×3n matrix: a tet4 21 forces, a hex8 26, a hex20 48. Of single
+/// elements along a run a pack takes as long as one, and the first is far from what the run has just computed, in code
+/// and in memory.
 ///
 /// Tests of validity balls and of all numbers for being finite, which no observation can do without, come off the
 /// income first; a part of it is there for the rest in any case. That is divided, so that nothing starves the rest: for
@@ -97,7 +98,8 @@ class WorkAccount {
 
   static double ofForce(const ElementBlock& block) {
     const double nodes = block.nodesPerElement(), points = static_cast<double>(block.rule().points.size());
-    return points * (block.goesByDirections() ? 0.4 * nodes : 2 + 0.3 * nodes);
+    if (block.goesByDirections()) return unitsByDirections * nodes * points;
+    return unitsOfGathering * nodes + (unitsOfPoint + unitsOfGradient * nodes) * points;
   }
   static double ofEvaluation(const ElementBlock& block) {
     const double size = 3.0 * block.nodesPerElement();
@@ -261,16 +263,19 @@ class WorkAccount {
   }
   static double elements(const Body& body) { return static_cast<double>(body.mesh().elementCount()); }
 
-  // As measured with AVX-512; of rings and regions along runs of 100 000 tetrahedra, wedges and
-  // pyramids and 40 000 hexahedra. evaluationsOfRebuild: 6 to 14 of them, with their strain norms.
+  // As measured with AVX-512; of forces with tet4, tet10, hex8, hex20, wedge6 and pyramid5 in blocks of 5000 and 100
+  // 000
+  // (`ringwatch_bench_body --benchmark_filter=force`); of rings and regions along runs of 100 000 tetrahedra, wedges
+  // and pyramids and 40 000 hexahedra. evaluationsOfRebuild: 6 to 14 of them, with their strain norms.
+  static constexpr double unitsByDirections = 0.32, unitsOfGathering = 0.4, unitsOfPoint = 0.2, unitsOfGradient = 0.33;
   static constexpr double evaluationsOfTangent = 0.4, evaluationsOfRebuild = 12, forcesOfProduct = 1.9,
                           dearerInRegion = 1.3;
   // Of tet4, hex8 and wedge6, neighbours and far from each other, in blocks of 5000 and 100 000
   // (`ringwatch_bench_monitor --benchmark_filter=singles`).
-  static constexpr double forceOfCaches = 130000, leastOfSingles = 0.1;
+  static constexpr double forceOfCaches = 130000, leastOfSingles = 0.2;
   static constexpr Singles evaluationOfSingles{
-      .first = 2000, .firstPoint = 550, .pack = 600, .packPoint = 0, .each = 60, .eachPoint = 5},
-      growthOfSingles{.first = 1600, .firstPoint = 130, .pack = 320, .packPoint = 110, .each = 20, .eachPoint = 5};
+      .first = 2000, .firstPoint = 550, .pack = 600, .packPoint = 0, .each = 60, .eachPoint = 40},
+      growthOfSingles{.first = 1600, .firstPoint = 130, .pack = 320, .packPoint = 110, .each = 20, .eachPoint = 25};
   static constexpr double unitsOfRing = 12000, unitsOfEigenvectors = 1.2;
   static constexpr double evaluationsOfDecomposition = 2.8, evaluationsOfFactorisation = 2.8;
   static constexpr double evaluationsOfShares = 26, evaluationsOfIteration = 4.7;
