@@ -151,7 +151,9 @@ class WorkAccount {
   /// Tangent products of a body, and of their rounding, which costs as much.
   static double ofProducts(const Body& body, int products) { return forcesOfProduct * products * ofForce(body); }
   /// The same of a region of a body, whose vectors are gathered and few.
-  static double ofRegion(const Body& part, int products) { return dearerInRegion * ofProducts(part, products); }
+  static double ofRegion(const Body& part, int products) {
+    return unitsOfRegion + dearerInRegion * ofProducts(part, products);
+  }
   /// Reading positions and velocities of all nodes, for what is not a number.
   static double ofNodes(const Body& body) { return unitsOfNode * body.nodeCount(); }
   /// Velocities of all nodes that can touch, for how far these may come before the next observation.
@@ -272,11 +274,11 @@ class WorkAccount {
                           dearerInRegion = 1.3;
   // Of tet4, hex8 and wedge6, neighbours and far from each other, in blocks of 5000 and 100 000
   // (`ringwatch_bench_monitor --benchmark_filter=singles`).
-  static constexpr double forceOfCaches = 130000, leastOfSingles = 0.2;
+  static constexpr double forceOfCaches = 60000, leastOfSingles = 0.2;
   static constexpr Singles evaluationOfSingles{
       .first = 2000, .firstPoint = 550, .pack = 600, .packPoint = 0, .each = 60, .eachPoint = 40},
       growthOfSingles{.first = 1600, .firstPoint = 130, .pack = 320, .packPoint = 110, .each = 20, .eachPoint = 25};
-  static constexpr double unitsOfRing = 12000, unitsOfEigenvectors = 1.2;
+  static constexpr double unitsOfRing = 12000, unitsOfEigenvectors = 1.2, unitsOfRegion = 1000;
   static constexpr double evaluationsOfDecomposition = 2.8, evaluationsOfFactorisation = 2.8;
   static constexpr double evaluationsOfShares = 26, evaluationsOfIteration = 4.7;
   static constexpr double unitsOfMove = 1.6, unitsOfNode = 0.25, unitsOfContactNode = 0.3;

@@ -144,12 +144,12 @@ TEST(WorkAccount, EarnsSpendsAndForgives) {
   EXPECT_NEAR(WorkAccount::ofEvaluation(body), evaluation, 1e-12 * evaluation);
   EXPECT_NEAR(WorkAccount::ofForce(body), force, 1e-12 * force);
   // Of single elements the first and each pack take as much as several: 2550 and 600 units, and 100 each, where the
-  // body is too large for the caches, and a fifth of it where it is small.
+  // body is too large for the caches, and less where it is small.
   const Body larger(test::box({"", "tet4", 5, "", 0}, {17, 17, 17}),
                     makeMaterial("stvk", test::young, 0.3, test::density), test::onThreads(1));
   const std::vector<ElementRef> few{{0, 0}, {0, 1}, {0, 2}};
   for (const Body* of : {&body, &larger}) {
-    const double cold = std::max(WorkAccount::ofForce(*of) / 130000, 0.2);
+    const double cold = std::clamp(WorkAccount::ofForce(*of) / 60000, 0.2, 1.0);
     EXPECT_NEAR(WorkAccount::ofEvaluation(*of, few), cold * (3150 + 3 * 100) + lanes * 1728.0 / 26, 1e-9);
     EXPECT_NEAR(WorkAccount::ofGrowth(*of, few), cold * (1730 + 430 + 3 * 45), 1e-9);
     EXPECT_NEAR(WorkAccount::ofEvaluation(*of->blocks()[0], 1), cold * 100, 1e-9);
