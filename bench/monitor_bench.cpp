@@ -208,7 +208,7 @@ void watchedRun(benchmark::State& state, const Case& c, int split, double jitter
     stepTime = watchTime = refreshed = certified = 0;
     width.clear();
     spent = {};
-    constexpr int turn = 20;  // steps, so that clocks, which the system reads, take no part of them
+    constexpr int turn = 20;  // steps between two looks at the clock, which are system calls; divides all runs
     double before = cpuSeconds();
     for (int step = 0; step <= steps; ++step) {
       const MonitorReport& now = monitor.observe(step, at.time, at.x, at.v, h, &evaluation);

@@ -150,7 +150,7 @@ class WorkAccount {
   static double ofRebuild(const Body& body) { return evaluationsOfRebuild * ofEvaluation(body); }
   /// Tangent products of a body, and of their rounding, which costs as much.
   static double ofProducts(const Body& body, int products) { return forcesOfProduct * products * ofForce(body); }
-  /// The same of a region of a body, whose vectors are gathered and few.
+  /// The same of a region of a body, whose vectors are gathered and few, with what that takes beside products.
   static double ofRegion(const Body& part, int products) {
     return unitsOfRegion + dearerInRegion * ofProducts(part, products);
   }
@@ -265,11 +265,11 @@ class WorkAccount {
   }
   static double elements(const Body& body) { return static_cast<double>(body.mesh().elementCount()); }
 
-  // As measured with AVX-512; of forces with tet4, tet10, hex8, hex20, wedge6 and pyramid5 in blocks of 5000 and 100
-  // 000
-  // (`ringwatch_bench_body --benchmark_filter=force`); of rings and regions along runs of 100 000 tetrahedra, wedges
-  // and pyramids and 40 000 hexahedra. evaluationsOfRebuild: 6 to 14 of them, with their strain norms.
+  // As measured with AVX-512. Of forces with tet4, tet10, hex8, hex20, wedge6 and pyramid5, in blocks of 5000 and of
+  // 100 000 (`ringwatch_bench_body --benchmark_filter=force`).
   static constexpr double unitsByDirections = 0.32, unitsOfGathering = 0.4, unitsOfPoint = 0.2, unitsOfGradient = 0.33;
+  // Of rings and regions along runs of 100 000 tetrahedra, wedges and pyramids and 40 000 hexahedra.
+  // evaluationsOfRebuild: 6 to 14 of them, with their strain norms.
   static constexpr double evaluationsOfTangent = 0.4, evaluationsOfRebuild = 12, forcesOfProduct = 1.9,
                           dearerInRegion = 1.3;
   // Of tet4, hex8 and wedge6, neighbours and far from each other, in blocks of 5000 and 100 000
