@@ -297,7 +297,7 @@ class WorkAccount {
   // mostOwedOfEvaluation: a few rounds of these.
   /// Units a step, no more than some of its own forces: a body of a few thousand elements is searched once in ten steps
   /// then.
-  static constexpr double leastForVerdict = 14000, forcesForVerdict = 6;
+  static constexpr double leastForVerdict = 14000, forcesForVerdict = 8;
   /// Units: all that small bodies may keep, so that a first contact that is too stiff is seen at once; larger ones
   /// begin with a search.
   static constexpr double verdictAtStart = 1e6;
