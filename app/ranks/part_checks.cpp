@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -22,11 +23,6 @@
 
 namespace ringwatch {
 namespace {
-
-/// An element of the whole as a number that ascends by block and number.
-std::int64_t codeOf(const RankPart& part, ElementRef e) {
-  return (std::int64_t{e.block} << 32) | part.globalElements[e.block][e.element];
-}
 
 struct CountOfPart {
   std::int64_t label, elements;
@@ -209,9 +205,9 @@ std::vector<std::string> partNotes(Ranks& ranks, const RankPart& part, const Mes
 std::vector<QualitySummary> qualityOfParts(Ranks& ranks, const RankPart& part) {
   struct Extreme {
     double value = -infinity;
-    std::int64_t element = noFault;
-    void see(double other, std::int64_t code) {
-      if (other > value) *this = {other, code};
+    std::optional<ElementRef> element = std::nullopt;  // of the whole
+    void see(double other, ElementRef e) {
+      if (other > value) *this = {other, e};
     }
   };
   const std::span<const QualityMeasure> measures = qualityMeasures();
@@ -227,15 +223,16 @@ std::vector<QualitySummary> qualityOfParts(Ranks& ranks, const RankPart& part) {
         if (std::isnan(value)) continue;
         ++counts[m];
         sums[m].add(value);
-        least[m].see(-value, codeOf(part, {b, e}));
-        most[m].see(value, codeOf(part, {b, e}));
+        const ElementRef ofWhole{b, part.globalElements[b][e]};
+        least[m].see(-value, ofWhole);
+        most[m].see(value, ofWhole);
       }
     }
   ranks.sum(sums);
   const auto agree = [&](const Extreme& own) {
-    Extreme all{own.value, 0};
+    Extreme all{own.value};
     ranks.largest({&all.value, 1});
-    all.element = ranks.least(own.value == all.value ? own.element : noFault);
+    all.element = ranks.first(own.value == all.value ? own.element : std::nullopt);
     return all;
   };
   std::vector<QualitySummary> summaries;
@@ -243,10 +240,8 @@ std::vector<QualitySummary> qualityOfParts(Ranks& ranks, const RankPart& part) {
     const std::int64_t count = sumOver(ranks, counts[m]);
     if (count == 0) continue;
     const Extreme low = agree(least[m]), high = agree(most[m]);
-    const auto elementOf = [](std::int64_t code) { return ElementRef{code >> 32, code & 0xffffffff}; };
     summaries.push_back({measures[m].name, measures[m].unit, static_cast<std::size_t>(count), -low.value, high.value,
-                         sums[m].value() / static_cast<double>(count), elementOf(low.element),
-                         elementOf(high.element)});
+                         sums[m].value() / static_cast<double>(count), low.element.value(), high.element.value()});
   }
   return summaries;
 }

@@ -40,7 +40,7 @@ Crossing follow(const detail::History& history, double budget) {
 }
 
 TEST(VerdictUnderABudget, ComesInTime) {
-  // Steps. Measured: 1; of the ball, whose top mode moves from place to place, 13, and 0 to 23 with other gaps and
+  // Steps. Measured: 0 and 1; of the ball, whose top mode moves from place to place, 0 to 23 with other gaps and
   // searches of BracketPolicy.
   constexpr std::int64_t late = 20;
   int tried = 0;
