@@ -251,7 +251,10 @@ TEST_F(Checkpoints, ResumedRunsHaveTheBitsOfTheOneThatWasNotStopped) {
     const auto wallTime = json(full + "/summary.json")["wall_time"]["total"].get<double>();
     double seconds = wallTime;
     wantedSoFar = (++number * kills + std::ssize(cases) - 1) / std::ssize(cases);
-    for (int tries = 0; killed < wantedSoFar && tries < 20 * kills; ++tries) {
+    // How many have left a checkpoint depends on how busy the machine is: runs of the last case make up for them.
+    const bool last = number == std::ssize(cases);
+    const auto wantsMore = [&] { return killed < wantedSoFar || (last && resumed < kills / 3); };
+    for (int tries = 0; wantsMore() && tries < 20 * kills; ++tries) {
       std::filesystem::remove_all(folder_.path() / "part");
       const std::string begin = "run " + arguments + "part";
       const auto moment = [&] { return std::uniform_real_distribution(0.0, seconds)(random); };
