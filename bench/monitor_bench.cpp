@@ -161,6 +161,7 @@ struct Watch {
   std::string name;
   MonitorMode mode;
   double budget;
+  int every = 1;
 };
 /// besideScratch: the last bracket is compared with the best one from scratch.
 void watchedRun(benchmark::State& state, const Case& c, int split, double jitter, const Watch& watch, const Pull& pull,
@@ -183,6 +184,7 @@ void watchedRun(benchmark::State& state, const Case& c, int split, double jitter
   MonitorOptions options;
   options.mode = watch.mode;
   options.budget = watch.budget;
+  options.every = watch.every;
   options.steps = pull.steps;
   options.workInAdvance = 0;
   if (watch.mode == MonitorMode::metric) options.metric = "reduced-1-ring";
@@ -223,7 +225,7 @@ void watchedRun(benchmark::State& state, const Case& c, int split, double jitter
         refreshed += static_cast<double>(now.elementsRefreshed);
         spent += now.spent;
         certified += now.verdict == Verdict::certified;
-        if (now.bracket) width.push_back(now.bracket->safe / now.bracket->optimistic - 1);
+        if (now.bracket && now.fresh) width.push_back(now.bracket->safe / now.bracket->optimistic - 1);
       }
       if (step % turn != 0) continue;
       const double begin = cpuSeconds();
@@ -355,6 +357,25 @@ void addRunsOfTables() {
   }
 }
 
+/// Runs of which each n-th step is watched.
+void addSeldomWatched() {
+  for (const int every : {1, 2, 5, 10, 30})
+    for (const auto& [elements, watch] : {std::pair{20000, Watch{"bracket_no_limit", MonitorMode::bracket, infinity}},
+                                          {100000, Watch{"bracket_0.1", MonitorMode::bracket, 0.1}}})
+      for (const Pull& pull : {Pull{"slow", 0.1, 0.5}, Pull{"fast", 0.8, 0.5}})
+        for (const int cut : {5, 6}) {
+          const Case c{"tet4", elements, "stvk", 1};
+          Watch own = watch;
+          own.every = every;
+          benchmark::RegisterBenchmark(
+              joinText("every/", every, "/", watch.name, "/", pull.name, "/", cut, "_a_cell/", c.name()).c_str(),
+              [=](benchmark::State& state) { watchedRun(state, c, cut, tableJitter, own, pull); })
+              ->UseManualTime()
+              ->Iterations(1)
+              ->Unit(benchmark::kMillisecond);
+        }
+}
+
 void addSingleElements() {
   for (const auto& [element, split] : {std::pair{"tet4", 5}, {"hex8", 1}, {"wedge6", 2}})
     for (const bool growth : {false, true})
@@ -375,6 +396,7 @@ void addSingleElements() {
 void registerAll() {
   addRunsOfTables();
   addSingleElements();
+  addSeldomWatched();
   for (const ElementInfo& element : allElements())
     for (const int elements : {5000, 20000, 100000})
       for (const int threads : {1, 2}) {

@@ -15,8 +15,7 @@ namespace ringwatch {
 struct StabilityMonitor::Impl {
   Impl(const Body& b, const MonitorOptions& o)
       : body(b), options(o), tracker(o.clearObservations), energies(roundingEnergy(b)), bodyVersion(b.version()) {
-    if (o.mode != MonitorMode::metric)
-      bracket.emplace(b, o.width, o.budget * o.every, o.steps / o.every, o.workInAdvance);
+    if (o.mode != MonitorMode::metric) bracket.emplace(b, o.width, o.budget, o.steps, o.workInAdvance, o.every);
     if (!o.metric.empty() && !o.metricElsewhere) metric = makeMetricEvaluator(o.metric, b);
   }
   /// The metric's highest value at x, rad²/s².

@@ -15,12 +15,12 @@
 namespace ringwatch {
 
 RunBracket::RunBracket(const Body& body, double width, double budget, std::int64_t steps, double inAdvance,
-                       const BracketPolicy& policy)
+                       std::int64_t every, const BracketPolicy& policy)
     : body_(body),
       policy_(policy),
       width_(width),
       slack_(policy.slackOfWidth * width),
-      account_(body, budget, steps, inAdvance),
+      account_(body, budget, steps, inAdvance, every),
       nodal_(body, {.slack = policy.slackOfWidth * width}, &account_),
       exchange_(body, nodal_.weights(), account_),
       local_(body, nodal_.weights(), policy.localProducts, policy.localGap),

@@ -90,10 +90,11 @@ struct BracketPolicy {
 /// tracked top mode, of all of it seldom and of a region at every observation, from below.
 class RunBracket {
  public:
-  /// budget: what an evaluation may take, as a share of a step's work; steps: evaluations of the run, as far as known;
-  /// inAdvance: work before which there is no limit, in units (WorkAccount). The proof comes first, then the width.
+  /// budget: what may be taken, as a share of the work of the steps; steps: of the run, as far as known; inAdvance:
+  /// work before which there is no limit, in units; every: steps from one evaluation to the next (WorkAccount). The
+  /// proof comes first, then the width.
   RunBracket(const Body& body, double width, double budget, std::int64_t steps = 0, double inAdvance = 0,
-             const BracketPolicy& policy = {});
+             std::int64_t every = 1, const BracketPolicy& policy = {});
 
   /// Unless nullptr, `evaluation` is filled in at x. Empty where the tangent is not finite, or where rounding
   /// makes the sides cross.

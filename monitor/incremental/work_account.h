@@ -60,15 +60,17 @@ struct Work {
 /// than the budget has for it; and for the upper side what is left, and what the others cannot keep.
 class WorkAccount {
  public:
-  /// share: of a step's work; from `noLimit` on there is no limit. steps: of the run, as far as known. inAdvance: work
-  /// before which there is no limit either, for bodies of which some rebuilds take no more.
-  explicit WorkAccount(const Body& body, double share, std::int64_t steps = 0, double inAdvance = 0)
+  /// share: of a step's work; from `noLimit` on there is no limit. steps: of the run, as far as known; every: steps
+  /// from one observation to the next. inAdvance: work before which there is no limit either, for bodies of which some
+  /// rebuilds take no more.
+  explicit WorkAccount(const Body& body, double share, std::int64_t steps = 0, double inAdvance = 0,
+                       std::int64_t every = 1)
       : share_(share),
         force_(ofForce(body)),
         atStart_(share < noLimit ? shareAtStart * share * static_cast<double>(steps) * force_ : 0),
         // A body of a few elements could not afford to look at one of them.
         income_(share >= noLimit ? 0
-                : share > 0      ? std::max(share * force_, leastIncome)
+                : share > 0      ? std::max(share * static_cast<double>(every) * force_, leastIncome)
                                  : 0),
         evaluation_(ofEvaluation(body)),
         rebuild_(ofRebuild(body)),
@@ -77,7 +79,7 @@ class WorkAccount {
             income_ > 0 ? searchesKept * ofDiagonal(body) + ofProducts(body, productsKept) + ofDearestRing(body) : 0),
         mostForSearches_(income_ > 0 ? searchesKept * ofProducts(body, productsKept) : 0),
         besideTests_(income_),
-        balance_(stepsInAdvance * (1 - shareOfMode) * income_),
+        balance_(stepsInAdvance / static_cast<double>(every) * (1 - shareOfMode) * income_),
         verdict_(income_ > 0
                      ? std::max(ofDiagonal(body) + ofDearestRing(body), std::min(mostForVerdict_, verdictAtStart))
                      : 0) {}
@@ -88,7 +90,7 @@ class WorkAccount {
   bool affordsAtStart(double work) const { return !limited() || work <= atStart_; }
   /// A step's own work.
   double force() const { return force_; }
-  /// What a step earns for the lower side.
+  /// What is earned from one observation to the next for the lower side.
   double incomeForMode() const { return shareOfMode * besideTests_; }
   /// And for telling whether a step that is not certified is proven unstable.
   double incomeForVerdict() const {
@@ -179,8 +181,9 @@ class WorkAccount {
   }
   static double ofAllRings(const Body& body) { return evaluationsOfAllRings * ofEvaluation(body); }
 
-  /// A step's income. No more is kept than two rebuilds cost; for the lower side, than all reduced rings twice and some
-  /// products do. seeksVerdict: the step that is taken is not certified.
+  /// An observation's income: that of the steps from the last one on. No more is kept than two rebuilds cost; for the
+  /// lower side, than all reduced rings twice and some products do. seeksVerdict: the step that is taken is not
+  /// certified.
   void earn(bool seeksVerdict = false) {
     besideTests_ = std::max(income_ - testsSince_, leastBesideTests * income_);
     testsSince_ = 0;
