@@ -87,6 +87,13 @@ class IncrementalNodalBound {
   /// local update: where the highest eigenvalue may have come to. Where means are short the certified eigenvalue may
   /// be far too high: then also those that are above noteFrom().
   const std::vector<NearLimit>& nearLimit() const { return nearLimit_; }
+  /// A search has found the highest eigenvalue here to be at least `found`, where the bound that is followed along the
+  /// run said `followed`. That one will have been as poor when the weights were made: these are less loose than they
+  /// seemed beside it. Without a limit no room is made for looseness.
+  void correctLowerBound(LowerBound followed, LowerBound found) {
+    if (limited() && tightOverLower_ > 0 && followed.value > 0)
+      tightOverLower_ = std::max(1.0, tightOverLower_ * followed.value / found.value);
+  }
   /// The highest eigenvalue, rad²/s², that is known from below.
   void noteFrom(LowerBound lower) { notedFrom_ = lower.value; }
   /// The elements that hold most of the bound at the `count` nodes where it is highest, by their values when last

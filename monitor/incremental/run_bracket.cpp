@@ -106,8 +106,9 @@ const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const S
   method_ = "rayleigh-quotient";
   LowerBound lower{0};
   const bool first = mode_.size() == 0, rebuilt = statistics_.rebuilds > 0;
+  LowerBound followed{0};
   if (!first) {
-    lower = boundOfRegion(x);
+    followed = lower = boundOfRegion(x);
     wholeMode_.tick();
     if (wholeMode_.due() && affords(WorkAccount::ofProducts(body_, policy_.productsOfFollowing + 1))) {
       const LowerBound whole = refreshMode(x, policy_.productsOfFollowing);
@@ -128,6 +129,7 @@ const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const S
     lower = first ? startMode(x) : restartMode(x);
     restart_.tried(regionBound_.value > (1 + policy_.helpfulRestart) * before);
   }
+  if (lower.value > followed.value) nodal_.correctLowerBound(followed, lower);
   searchUnderCompression(x);
   if (!rests) {
     nodal_.relaxBound(lower, width_, ceiling);
