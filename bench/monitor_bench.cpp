@@ -3,6 +3,7 @@
 #include <malloc.h>
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -305,11 +306,20 @@ void singleElements(benchmark::State& state, const Case& c, int split, int count
   state.counters["counted"] = counted / count;
 }
 
+/// Registers a run, which is made once and times itself.
+void addRun(const std::string& name, std::function<void(benchmark::State&)> run) {
+  benchmark::RegisterBenchmark(name.c_str(), std::move(run))
+      ->UseManualTime()
+      ->Iterations(1)
+      ->Unit(benchmark::kMillisecond);
+}
+const Pull slowPull{"slow", 0.1, 0.5}, fastPull{"fast", 0.8, 0.5}, twist{"twist", 0, 0.5, 1.5},
+    compression{"compression", -0.3, 0.5};
+
 /// A pull of 80 % a second, eight times slower, and by a step that leaves less room, for every budget.
 void addWatchedRuns(const Case& c) {
   constexpr double unlimited = infinity;
-  for (const Pull& pull : {Pull{"fast", 0.8, 0.5}, Pull{"slow", 0.1, 0.5}, Pull{"slow_close", 0.1, 0.9},
-                           Pull{"twist", 0, 0.5, 1.5}, Pull{"compression", -0.3, 0.5}})
+  for (const Pull& pull : {fastPull, slowPull, Pull{"slow_close", 0.1, 0.9}, twist, compression})
     for (const Watch& watch :
          {Watch{"bracket_no_limit", MonitorMode::bracket, unlimited}, Watch{"bracket_1", MonitorMode::bracket, 1},
           Watch{"bracket_0.3", MonitorMode::bracket, 0.3}, Watch{"bracket_0.1", MonitorMode::bracket, 0.1},
@@ -317,14 +327,10 @@ void addWatchedRuns(const Case& c) {
       for (const CellSubdivision& split : allCellSubdivisions()) {
         if (split.element != c.element || split.centre) continue;
         if (watch.mode == MonitorMode::metric && pull.name != "fast") continue;
-        benchmark::RegisterBenchmark(
-            joinText("watched/", watch.name, "/", pull.name, "/", split.elementsPerCell, "_a_cell/", c.name()).c_str(),
-            [c, watch, pull, cut = split.elementsPerCell](benchmark::State& state) {
-              watchedRun(state, c, cut, jittered, watch, pull);
-            })
-            ->UseManualTime()
-            ->Iterations(1)
-            ->Unit(benchmark::kMillisecond);
+        addRun(joinText("watched/", watch.name, "/", pull.name, "/", split.elementsPerCell, "_a_cell/", c.name()),
+               [c, watch, pull, cut = split.elementsPerCell](benchmark::State& state) {
+                 watchedRun(state, c, cut, jittered, watch, pull);
+               });
       }
 }
 
@@ -334,45 +340,35 @@ constexpr double tableJitter = 0.2;
 /// The runs of bench/monitor_table.py.
 void addRunsOfTables() {
   const auto add = [](const Case& c, int cut, double jitter, const Watch& watch, const Pull& pull) {
-    benchmark::RegisterBenchmark(joinText("table/", watch.name, "/", pull.name, "/", cut, "_a_cell/",
-                                          jitter > 0 ? "jittered" : "regular", "/", c.name())
-                                     .c_str(),
-                                 [=](benchmark::State& state) { watchedRun(state, c, cut, jitter, watch, pull, true); })
-        ->UseManualTime()
-        ->Iterations(1)
-        ->Unit(benchmark::kMillisecond);
+    addRun(joinText("table/", watch.name, "/", pull.name, "/", cut, "_a_cell/", jitter > 0 ? "jittered" : "regular",
+                    "/", c.name()),
+           [=](benchmark::State& state) { watchedRun(state, c, cut, jitter, watch, pull, true); });
   };
   const Watch usual{"bracket_0.1", MonitorMode::bracket, 0.1};
-  const Pull slow{"slow", 0.1, 0.5}, fast{"fast", 0.8, 0.5};
   for (const auto& [element, cut] : {std::pair{"tet4", 5}, {"tet4", 6}, {"hex8", 1}, {"wedge6", 2}, {"pyramid5", 6}}) {
     const Case large{element, 100000, "stvk", 1};
-    for (const Pull& pull :
-         {slow, Pull{"slower", 0.01, 0.5, 0, 10000}, fast, Pull{"twist", 0, 0.5, 1.5}, Pull{"compression", -0.3, 0.5}})
+    for (const Pull& pull : {slowPull, Pull{"slower", 0.01, 0.5, 0, 10000}, fastPull, twist, compression})
       add(large, cut, tableJitter, usual, pull);
-    add(large, cut, tableJitter, {"bracket_0", MonitorMode::bracket, 0}, slow);
-    add(large, cut, tableJitter, {"bracket_0.3", MonitorMode::bracket, 0.3}, fast);
+    add(large, cut, tableJitter, {"bracket_0", MonitorMode::bracket, 0}, slowPull);
+    add(large, cut, tableJitter, {"bracket_0.3", MonitorMode::bracket, 0.3}, fastPull);
     add(large, cut, tableJitter, {"threshold", MonitorMode::threshold, 0.1}, {"slow_close", 0.1, 0.8});
     for (const char* law : {"stvk", "neo-hookean", "corotational"})
-      for (const double jitter : {0.0, tableJitter}) add({element, 20000, law, 1}, cut, jitter, usual, slow);
+      for (const double jitter : {0.0, tableJitter}) add({element, 20000, law, 1}, cut, jitter, usual, slowPull);
   }
 }
 
 /// Runs of which each n-th step is watched.
 void addSeldomWatched() {
   for (const int every : {1, 2, 5, 10, 30})
-    for (const auto& [elements, watch] : {std::pair{20000, Watch{"bracket_no_limit", MonitorMode::bracket, infinity}},
-                                          {100000, Watch{"bracket_0.1", MonitorMode::bracket, 0.1}}})
-      for (const Pull& pull : {Pull{"slow", 0.1, 0.5}, Pull{"fast", 0.8, 0.5}})
+    for (const auto& [elements, watch] :
+         {std::pair{20000, Watch{"bracket_no_limit", MonitorMode::bracket, infinity, every}},
+          {100000, Watch{"bracket_0.1", MonitorMode::bracket, 0.1, every}}})
+      for (const Pull& pull : {slowPull, fastPull})
         for (const int cut : {5, 6}) {
           const Case c{"tet4", elements, "stvk", 1};
-          Watch own = watch;
-          own.every = every;
-          benchmark::RegisterBenchmark(
-              joinText("every/", every, "/", watch.name, "/", pull.name, "/", cut, "_a_cell/", c.name()).c_str(),
-              [=](benchmark::State& state) { watchedRun(state, c, cut, tableJitter, own, pull); })
-              ->UseManualTime()
-              ->Iterations(1)
-              ->Unit(benchmark::kMillisecond);
+          addRun(
+              joinText("every/", every, "/", watch.name, "/", pull.name, "/", cut, "_a_cell/", c.name()),
+              [=, watched = watch](benchmark::State& state) { watchedRun(state, c, cut, tableJitter, watched, pull); });
         }
 }
 

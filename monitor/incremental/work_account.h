@@ -298,16 +298,16 @@ class WorkAccount {
   static constexpr double stepsOfMean = 32, stepsInAdvance = 100, rebuildsInAdvance = 7.5;
   // stepsInAdvance: of income, so that the first elements that leave their balls can be evaluated.
   // mostOwedOfEvaluation: a few rounds of these.
-  /// Units a step, no more than some of its own forces: a body of a few thousand elements is searched once in ten steps
-  /// then.
+  /// Units an observation, no more than some forces of a step: a body of a few thousand elements is searched once in
+  /// ten then.
   static constexpr double leastForVerdict = 14000, forcesForVerdict = 8;
   /// Units: all that small bodies may keep, so that a first contact that is too stiff is seen at once; larger ones
   /// begin with a search.
   static constexpr double verdictAtStart = 1e6;
   double share_, force_, atStart_, income_, evaluation_, rebuild_, advance_, mostForVerdict_, mostForSearches_;
-  double besideTests_, testsSince_ = 0;  // what a step earns but for tests; of tests, since
+  double besideTests_, testsSince_ = 0;  // what an observation earns but for tests; of tests, since
   double balance_, mode_ = 0, proof_ = 0, verdict_, searches_ = 0;
-  double asked_ = 0, askedSince_ = 0;  // in a step, on average; in the last one
+  double asked_ = 0, askedSince_ = 0;  // at an observation, on average; at the last one
 };
 
 }  // namespace ringwatch
