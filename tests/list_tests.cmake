@@ -2,15 +2,21 @@
 # Writes the cases of a GoogleTest program for ctest, as FOLDER.Suite.Case with the labels FOLDER and fast or slow. CMake's
 # own gtest_discover_tests cannot: it puts the C++ type into the names of typed tests, and its labels are one at a time.
 # A case that says so is skipped, and so is one whose program is built without VTK (meshes/formats/vtu_writer.cpp), however it ends.
+# The cases of a test with parameters, of which there may be hundreds, are one test, FOLDER.Suite.Test: a process takes
+# longer to start than most of them take. It is slow where a pattern selects any of them, and fails where any fails; some
+# of its cases may skip themselves.
 # Suites that make a costly result once for all their cases are TOGETHER: one slow test each, FOLDER.Suite.
 # With N > 0 there are N tests of the fast cases instead, FOLDER.fast_K, and N of the slow ones, FOLDER.slow_K, of an N-th
 # of them each: under a sanitizer a process takes longer to start than most cases take. GTEST_FILTER chooses other cases.
 cmake_minimum_required(VERSION 3.25)
 cmake_path(GET OUTPUT PARENT_PATH folder)
 function(write_test name filter speed)
+  set(skipped " SKIP_REGULAR_EXPRESSION [=[\\[  SKIPPED \\];this build is without VTK]=]")
+  if(filter MATCHES "/\\*$")
+    set(skipped "")
+  endif()
   file(APPEND ${OUTPUT} "add_test([=[${FOLDER}.${name}]=] ${PROGRAM} --gtest_filter=${filter})\n"
-    "set_tests_properties([=[${FOLDER}.${name}]=] PROPERTIES LABELS \"${FOLDER};${speed}\" WORKING_DIRECTORY ${folder}"
-    " SKIP_REGULAR_EXPRESSION [=[\\[  SKIPPED \\];this build is without VTK]=])\n")
+    "set_tests_properties([=[${FOLDER}.${name}]=] PROPERTIES LABELS \"${FOLDER};${speed}\" WORKING_DIRECTORY ${folder}${skipped})\n")
 endfunction()
 
 # Writes the cases that a pattern of GoogleTest selects; found: whether there are any. Patterns may overlap.
@@ -25,8 +31,13 @@ function(write_cases filter speed found)
     if(line MATCHES "^  (.+)$")
       set(any TRUE)
       set(name "${suite}.${CMAKE_MATCH_1}")
+      set(selects "${name}")
+      if(CMAKE_MATCH_1 MATCHES "^([^/]+)/")
+        set(name "${suite}.${CMAKE_MATCH_1}")
+        set(selects "${name}/*")
+      endif()
       if(NOT suite IN_LIST TOGETHER AND NOT name IN_LIST written)
-        write_test("${name}" "${name}" ${speed})
+        write_test("${name}" "${selects}" ${speed})
         list(APPEND written "${name}")
       endif()
     elseif(line MATCHES "^([A-Za-z_0-9/]+)\\.$")
