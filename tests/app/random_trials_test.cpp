@@ -2,14 +2,18 @@
 // powers of ten, springs, point masses, dashpots, contact that comes and goes, damping of elements and Rayleigh's. The
 // bracket of the critical step against the exact one, from matrices that are assembled here and dense eigenvalues.
 //   RINGWATCH_STATE_CHECKS=N   goes on until N elements in states have been tried (by default some thousands)
+//   RINGWATCH_WATCHED_RUNS=N   watches N runs with random options
 //   RINGWATCH_SEED=S           other bodies, so that processes side by side try different ones
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <initializer_list>
 #include <iostream>
+#include <memory>
 #include <numeric>
+#include <utility>
 
 #include <ringwatch/app/command/integrator_catalog.h>
 #include <ringwatch/base/error.h>
@@ -18,6 +22,7 @@
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/monitor/critical_step.h>
 #include <ringwatch/monitor/incremental/run_bracket.h>
+#include <ringwatch/monitor/stability_monitor.h>
 #include <tests/monitor/monitor_cases.h>
 #include <tests/support/dense.h>
 
@@ -317,7 +322,7 @@ Exact exactStep(const Body& body, const Matrices& matrices, const RayleighDampin
 
 struct Tally {
   std::int64_t trials = 0;  // elements in states
-  std::int64_t states = 0, alongRuns = 0, damped = 0, toggled = 0, indefinite = 0, skipped = 0, wrong = 0;
+  std::int64_t states = 0, alongRuns = 0, damped = 0, toggled = 0, indefinite = 0, loaded = 0, skipped = 0, wrong = 0;
   double tightest = 0, widest = 1;  // largest and least safe side over the exact step, and the least at rest with the
   double widestAtRest = 1;          // reference there
 };
@@ -349,36 +354,65 @@ bool compare(const std::optional<CriticalStep>& step, const Exact& exactly, doub
   return false;
 }
 
+/// A random body with its forces and damping, and the rule of a random integrator for it.
+struct Trial {
+  Body body;
+  std::vector<Shape> shapes;
+  RayleighDamping rayleigh;
+  double undamped;   // s, the step at rest without Rayleigh's damping; 0: there is none
+  double reference;  // s, of the rule
+  bool tight;        // the reference is the exact step at rest, where the bracket is to be tight
+  const IntegratorInfo* info;
+  StepRule rule = 2.0;
+  bool damped;
+
+  explicit Trial(test::Random& random) : body(randomBody(random)) {
+    if (random.index(3)) addDamping(body, random);
+    if (random.index(3)) shapes = addForces(body, random);
+    const bool dashpots = body.discreteForces() && body.discreteForces()->damped();
+    // Of a body without any other damping the order of its step.
+    undamped = exactAt(body.mesh().X, still(), {}, 1).step;
+    if (!(undamped > 0)) return;
+    if (random.index(3) == 0) rayleigh = {random.uniform(0, 0.5) / undamped, random.uniform(0, 0.5) * undamped};
+    tight = random.index(2) == 0;
+    reference = undamped * power(random, -0.7, 0.3);
+    if (body.elementDamping()) body.elementDamping()->setFactor(1 / undamped);
+    if (tight) reference = exactAt(body.mesh().X, still(), rayleigh, undamped).step;
+    const double factor = dampingFactor(rayleigh, reference);
+    if (body.discreteForces()) body.discreteForces()->setDampingFactor(factor);
+    if (body.elementDamping()) body.elementDamping()->setFactor(factor);
+    info = integratorCatalog().find(random.index(2) ? "verlet" : "symplectic-euler");
+    rule = dashpots || body.elementDamping()
+               ? stepRuleWithDashpots(*info, rayleigh, reference,
+                                      body.elementDamping() ? body.elementDamping()->overcount() : 0)
+               : stepRule(*info, rayleigh);
+    damped = dashpots || body.elementDamping() || rayleigh.any();
+  }
+  NodeVectors still() const { return NodeVectors::Zero(3, body.nodeCount()); }
+  std::int64_t elements() const { return static_cast<std::int64_t>(body.mesh().elementCount()); }
+  Exact exactAt(const NodeVectors& x, const NodeVectors& v) { return exactAt(x, v, rayleigh, reference); }
+
+ private:
+  Exact exactAt(const NodeVectors& x, const NodeVectors& v, const RayleighDamping& damping, double at) {
+    return exactStep(body, Matrices(body, x, v, shapes), damping, at);
+  }
+};
+
 void tryOne(test::Random& random, const std::string& what, Tally& tally) {
-  Body body = randomBody(random);
-  const auto elements = static_cast<std::int64_t>(body.mesh().elementCount());
-  if (random.index(3)) addDamping(body, random);
-  const std::vector<Shape> shapes = random.index(3) ? addForces(body, random) : std::vector<Shape>();
-  const NodeVectors& X = body.mesh().X;
-  const NodeVectors still = NodeVectors::Zero(3, X.cols());
-  const bool dashpots = body.discreteForces() && body.discreteForces()->damped();
-  // Of a body without any other damping the order of its step.
-  const double undamped = exactStep(body, Matrices(body, X, still, shapes), {}, 1).step;
-  if (!(undamped > 0)) {
+  Trial trial(random);
+  if (!(trial.undamped > 0)) {
     ++tally.skipped;
     return;
   }
-  RayleighDamping rayleigh;
-  if (random.index(3) == 0) rayleigh = {random.uniform(0, 0.5) / undamped, random.uniform(0, 0.5) * undamped};
-  // The reference step of the rule: half of them at the exact step of rest, where the bracket is to be tight.
-  const bool tight = random.index(2) == 0;
-  double reference = undamped * power(random, -0.7, 0.3);
-  if (body.elementDamping()) body.elementDamping()->setFactor(1 / undamped);
-  if (tight) reference = exactStep(body, Matrices(body, X, still, shapes), rayleigh, undamped).step;
-  const double factor = dampingFactor(rayleigh, reference);
-  if (body.discreteForces()) body.discreteForces()->setDampingFactor(factor);
-  if (body.elementDamping()) body.elementDamping()->setFactor(factor);
-  const IntegratorInfo& info = *integratorCatalog().find(random.index(2) ? "verlet" : "symplectic-euler");
-  const StepRule rule = dashpots || body.elementDamping()
-                            ? stepRuleWithDashpots(info, rayleigh, reference,
-                                                   body.elementDamping() ? body.elementDamping()->overcount() : 0)
-                            : stepRule(info, rayleigh);
-  const bool damped = dashpots || body.elementDamping() || rayleigh.any();
+  Body& body = trial.body;
+  const double reference = trial.reference;
+  const StepRule& rule = trial.rule;
+  const auto count = [&] {
+    tally.trials += trial.elements();
+    tally.damped += trial.damped;
+  };
+  const NodeVectors& X = body.mesh().X;
+  const NodeVectors still = trial.still();
 
   // From scratch at rest, and in a state far from it.
   const auto fromScratch = [&](const NodeVectors& x) -> std::optional<CriticalStep> {
@@ -389,23 +423,20 @@ void tryOne(test::Random& random, const std::string& what, Tally& tally) {
       return std::nullopt;
     }
   };
-  if (tight) {
+  if (trial.tight) {
     if (body.elementDamping()) body.elementDamping()->forgetRates();
     const std::optional<CriticalStep> step = fromScratch(X);
-    const Exact atRest = exactStep(body, Matrices(body, X, still, shapes), rayleigh, reference);
-    if (!compare(step, atRest, reference, what + ", at rest", tally)) return;
+    if (!compare(step, trial.exactAt(X, still), reference, what + ", at rest", tally)) return;
     tally.widestAtRest = std::min(tally.widestAtRest, step->safe / reference);
-    tally.trials += elements;
-    tally.damped += damped;
+    count();
   }
   const auto states = test::deformedStates(X, random.index(1 << 20));
   const NodeVectors x = states[random.index(static_cast<int>(states.size()))].x,
                     v = random.nodeVectors(X.cols(), 0.3 * test::cellSize / reference * power(random, -4, 0));
   body.followDampingRates(x, v);
-  if (const Exact own = exactStep(body, Matrices(body, x, v, shapes), rayleigh, reference); own.step > 0) {
+  if (const Exact own = trial.exactAt(x, v); own.step > 0) {
     if (!compare(fromScratch(x), own, reference, what + ", from scratch", tally)) return;
-    tally.trials += elements;
-    tally.damped += damped;
+    count();
   } else {
     ++tally.skipped;
   }
@@ -413,10 +444,10 @@ void tryOne(test::Random& random, const std::string& what, Tally& tally) {
   // Along a run whose nodes move by some hundredths of a cell a step.
   if (body.elementDamping()) body.elementDamping()->forgetRates();
   RunBracket bracket(body, random.index(2) ? 0.05 : 0.02, random.index(4) ? infinity : 0.1);
-  BodySystem system(body, rayleigh);
-  const std::unique_ptr<Integrator> integrator = integratorCatalog().make(info.name);
+  BodySystem system(body, trial.rayleigh);
+  const std::unique_ptr<Integrator> integrator = integratorCatalog().make(trial.info->name);
   State state{0, X, still};
-  const double h = 0.3 * undamped;
+  const double h = 0.3 * trial.undamped;
   const double speed = power(random, -3, -1) * test::cellSize / h;
   state.v = random.nodeVectors(X.cols(), 0.3 * speed);
   state.v.colwise() += random.vector(speed);
@@ -430,7 +461,7 @@ void tryOne(test::Random& random, const std::string& what, Tally& tally) {
       tally.toggled += now != touching;
       touching = now;
     }
-    const Exact own = exactStep(body, Matrices(body, state.x, state.v, shapes), rayleigh, reference);
+    const Exact own = trial.exactAt(state.x, state.v);
     if (!(own.step > 0)) {
       ++tally.skipped;
       return;
@@ -438,12 +469,178 @@ void tryOne(test::Random& random, const std::string& what, Tally& tally) {
     if (!compare(bracket.evaluate(state.x, rule, std::nullopt, nullptr), own, reference, joinText(what, ", step ", k),
                  tally))
       return;
-    tally.trials += elements;
-    tally.damped += damped;
+    count();
     ++tally.alongRuns;
     if (!integrator->step(system, state, std::min(h, 0.9 * own.step)).done || !isFinite(state, 1)) return;
   }
 }
+
+/// What the report of an observation says of the step h, if one is taken, and of all others.
+bool isRight(const MonitorReport& report, MonitorMode mode, std::optional<double> h, const Exact& exactly,
+             double reference, const std::string& what, Tally& tally) {
+  if (mode == MonitorMode::bracket || report.bracket)
+    if (!compare(report.bracket, exactly, reference, what, tally)) return false;
+  const double most = exactly.decides            ? exactly.step
+                      : exactly.holdsAtReference ? infinity
+                                                 : reference;  // that a step may be certified
+  const double least = exactly.decides ? exactly.step : exactly.holdsAtReference ? reference : 0;  // or violated
+  const bool right = report.certified <= most * (1 + exact) &&
+                     (!h || report.verdict != Verdict::certified || *h <= most * (1 + exact)) &&
+                     (!h || report.verdict != Verdict::violated || *h >= least * (1 - exact));
+  if (right) return true;
+  ++tally.wrong;
+  ADD_FAILURE() << what << ": " << report.certified << " s is certified, and h = " << h.value_or(0) << " s "
+                << verdictName(report.verdict) << ", of the exact " << exactly.step << " s"
+                << (exactly.decides ? "" : joinText(", K indefinite, reference ", reference, " s"));
+  return false;
+}
+
+/// A run that is watched with random options, by its own force or by the monitor's pass; in which the step is chosen
+/// anew, the body stays or is put elsewhere, is held or laden, and the monitor is saved and loaded.
+class WatchedRun {
+ public:
+  WatchedRun(test::Random& random, std::string what, Tally& tally)
+      : random_(random), what_(std::move(what)), tally_(tally), trial_(random) {}
+
+  void run() {
+    if (!(trial_.undamped > 0)) {
+      ++tally_.skipped;
+      return;
+    }
+    chooseOptions();
+    Body& body = trial_.body;
+    if (body.elementDamping()) body.elementDamping()->forgetRates();
+    monitor_ = std::make_unique<StabilityMonitor>(body, options_);
+    BodySystem system(body, trial_.rayleigh);
+    const std::unique_ptr<Integrator> integrator = integratorCatalog().make(trial_.info->name);
+    stride_ = trial_.undamped * power(random_, -2, -0.5);
+    state_ = {0, body.mesh().X, trial_.still()};
+    state_.v = random_.nodeVectors(body.nodeCount(), test::cellSize / stride_ * power(random_, -4, -1.5));
+    for (int k = 0; k < steps; ++k) {
+      change();
+      body.constraints().clearConstrained(state_.v);
+      body.followDampingRates(state_.x, state_.v);
+      if (DiscreteForces* const forces = body.discreteForces())
+        forces->setReach(random_.index(2) ? 2 * stride_ * options_.every * forces->largestSpeed(state_.v) : 0);
+      const Exact exactly = trial_.exactAt(state_.x, state_.v);
+      if (!(exactly.step > 0)) {
+        ++tally_.skipped;
+        return;
+      }
+      if (!observe(k, exactly)) return;
+      if (rest_ > 0)
+        --rest_;
+      else if (!integrator->step(system, state_, std::min(stride_, 0.9 * exactly.step)).done || !isFinite(state_, 1))
+        return;
+    }
+  }
+
+ private:
+  double oneOf(std::initializer_list<double> values) {
+    return values.begin()[random_.index(static_cast<int>(values.size()))];
+  }
+  std::int32_t anyNode() { return static_cast<std::int32_t>(random_.index(trial_.body.nodeCount())); }
+
+  void chooseOptions() {
+    options_.limit = trial_.rule;
+    options_.mode = random_.index(3) ? MonitorMode::bracket : MonitorMode::threshold;
+    options_.every = static_cast<int>(oneOf({1, 1, 1, 2, 3, 7}));
+    options_.width = oneOf({0.05, 0.02, 0.2});
+    options_.budget = oneOf({0, 0.02, 0.1, 0.3, 1, infinity});
+    options_.steps = static_cast<std::int64_t>(oneOf({0, 100, 1e5}));
+    options_.workInAdvance = oneOf({0, 0, 1e5, 5e7});
+    options_.firstObservationElements = random_.index(2) ? 10000 : 0;
+    chooseStep();
+  }
+  void chooseStep() {
+    h_.reset();
+    if (random_.index(4)) h_ = trial_.undamped * power(random_, -0.7, 0.1);
+  }
+
+  /// Now and then something changes between two steps.
+  void change() {
+    Body& body = trial_.body;
+    switch (random_.index(80)) {
+      case 0:
+        body.constraints().fix(anyNode(), static_cast<int>(random_.index(3)));
+        break;
+      case 1: {
+        const std::int32_t node = anyNode();
+        body.addNodalMass(node, body.lumpedMass()[node] * power(random_, -2, 2));
+        break;
+      }
+      case 2: {
+        const auto states = test::deformedStates(body.mesh().X, random_.index(1 << 20));
+        state_.x = states[random_.index(static_cast<int>(states.size()))].x;
+        break;
+      }
+      case 3:
+        before_ = std::exchange(monitor_, std::make_unique<StabilityMonitor>(body, options_));
+        monitor_->load(before_->save());
+        break;
+      case 4:
+        rest_ = 12;
+        break;
+      case 5:
+        chooseStep();
+        break;
+      default:
+        break;
+    }
+  }
+
+  /// Whether the run goes on.
+  bool observe(int k, const Exact& exactly) {
+    StepEvaluation evaluation;
+    const bool together = random_.index(2);
+    const MonitorReport& report =
+        monitor_->observe(k, state_.time, state_.x, state_.v, h_, together ? &evaluation : nullptr);
+    const std::string where = joinText(what_, ", step ", k);
+    if (together) {
+      StepEvaluation alone;
+      Body::Workspace workspace;
+      trial_.body.evaluate(state_.x, alone, workspace);
+      if (evaluation.internalForce != alone.internalForce)
+        return fail(where + ": the monitor's pass has another force");
+    }
+    if (const auto before = std::exchange(before_, nullptr)) {
+      const MonitorReport& other = before->observe(k, state_.time, state_.x, state_.v, h_);
+      ++tally_.loaded;
+      if (other.certified != report.certified || other.verdict != report.verdict ||
+          other.elementsRefreshed != report.elementsRefreshed ||
+          (other.bracket && report.bracket && other.bracket->optimistic != report.bracket->optimistic))
+        return fail(where + ": the monitor that was loaded says something else than the one that was saved");
+    }
+    if (!report.fresh) return true;
+    // A law may have no tangent, or none that is known in double precision, where an element is inverted.
+    const bool unknown = report.verdict == Verdict::violated && !report.bracket;
+    if (unknown && trial_.body.leastDeterminant(state_.x).value <= 0) {
+      ++tally_.skipped;
+      return false;
+    }
+    if (!isRight(report, options_.mode, h_, exactly, trial_.reference, where, tally_)) return false;
+    tally_.trials += trial_.elements();
+    ++tally_.alongRuns;
+    return true;
+  }
+  bool fail(const std::string& fault) {
+    ++tally_.wrong;
+    ADD_FAILURE() << fault;
+    return false;
+  }
+
+  static constexpr int steps = 100;
+  test::Random& random_;
+  std::string what_;
+  Tally& tally_;
+  Trial trial_;
+  MonitorOptions options_;
+  std::optional<double> h_;
+  State state_;
+  double stride_ = 0;
+  int rest_ = 0;  // observations for which the body stays where it is
+  std::unique_ptr<StabilityMonitor> monitor_, before_;
+};
 
 /// A body by a seed of its own, so that it can be tried again alone.
 void tryBody(std::uint64_t seed, std::uint64_t body, Tally& tally) {
@@ -483,6 +680,27 @@ TEST(RandomTrials, BracketsHoldTheExactStep) {
               << tally.indefinite << " of indefinite stiffness, " << tally.wrong << " wrong, " << tally.skipped
               << " without a positive direction or a tangent; safe side " << tally.widest << " to " << tally.tightest
               << " of the exact step, at rest with its own reference from " << tally.widestAtRest << "\n";
+}
+
+TEST(RandomTrials, WatchedRunsHoldTheExactStep) {
+  const char *asked = std::getenv("RINGWATCH_WATCHED_RUNS"), *seed = std::getenv("RINGWATCH_SEED"),
+             *from = std::getenv("RINGWATCH_FIRST_BODY");
+  const std::uint64_t runs = asked ? std::strtoull(asked, nullptr, 10) : 20,
+                      first = seed ? std::strtoull(seed, nullptr, 10) : 1,
+                      begin = from ? std::strtoull(from, nullptr, 10) : 0;
+  Tally tally;
+  for (std::uint64_t body = begin; body < begin + runs && tally.wrong < 5; ++body) {
+    test::Random random((first * 1000000007ULL + body) ^ 0x9e3779b97f4a7c15ULL);
+    WatchedRun(random, joinText("seed ", first, ", body ", body), tally).run();
+  }
+  EXPECT_EQ(tally.wrong, 0);
+  EXPECT_GT(tally.alongRuns, 10 * static_cast<std::int64_t>(runs));
+  EXPECT_GT(tally.loaded, 0);
+  if (asked)
+    std::cout << tally.trials << " elements in " << tally.alongRuns << " states along " << runs << " runs, "
+              << tally.indefinite << " of indefinite stiffness, loaded " << tally.loaded << " times, " << tally.wrong
+              << " wrong, " << tally.skipped << " runs ended without a positive direction or a tangent; safe side "
+              << tally.widest << " to " << tally.tightest << " of the exact step\n";
 }
 
 }  // namespace
