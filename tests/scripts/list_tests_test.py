@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """tests/list_tests.cmake writes every case of a program once, with its labels, and fails on a pattern that selects none.
 Cases that skip themselves, or that a build without VTK cannot run, are skipped by ctest. A test with parameters is one
-test, which is as good as the worst of its cases.
+test, as is a suite whose cases go together, which is as good as the worst of its cases.
 
 usage: list_tests_test.py CMAKE CTEST
 """
@@ -15,14 +15,15 @@ import tempfile
 PROGRAM = """#!/usr/bin/env python3
 import fnmatch, os, sys
 CASES = ["Plain.First", "Plain.Second", "Plain.Third", "All/Any.Holds/tet4", "All/Any.Holds/hex8", "All/Any.Fails/tet4",
-         "All/Any.Fails/hex8", "Typed/0.Holds", "Costly.One", "Costly.Two"]
+         "All/Any.Fails/hex8", "Typed/0.Holds", "Costly.One", "Costly.Two",
+         "Shared.One", "Shared.Two"]
 if "--gtest_brief=1" in sys.argv:  # runs a share of the fast or of the slow ones, or what GTEST_FILTER chooses
     print("filter", sys.argv[2])
     sys.exit(os.environ["GTEST_TOTAL_SHARDS"] != "3" or os.environ["GTEST_SHARD_INDEX"] == "1")
 if "--gtest_list_tests" not in sys.argv:  # runs a case
     chosen = sys.argv[1].partition("=")[2]
     print({"Plain.First": "fine", "Plain.Second": "wrong", "Plain.Third": "[  SKIPPED ] Plain.Third", "Typed/0.Holds": "fine",
-           "All/Any.Holds/*": "[  SKIPPED ] All/Any.Holds/hex8", "All/Any.Fails/*": "[  SKIPPED ] All/Any.Fails/hex8"}.get(
+           "Shared.*": "[  SKIPPED ] Shared.Two", "All/Any.Holds/*": "[  SKIPPED ] All/Any.Holds/hex8", "All/Any.Fails/*": "[  SKIPPED ] All/Any.Fails/hex8"}.get(
         chosen, "ringwatch: frames: this build is without VTK; install it"))
     sys.exit(chosen not in ("Plain.First", "Plain.Third", "All/Any.Holds/*", "Typed/0.Holds"))
 positive, _, negative = sys.argv[2].partition("=")[2].partition("-")
@@ -58,7 +59,7 @@ def main():
     cmake = sys.argv[1]
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        run, text = listing(cmake, folder, "Plain.Second:Plain.S*:All/Any.Holds/hex8", "Costly")
+        run, text = listing(cmake, folder, "Plain.Second:Plain.S*:All/Any.Holds/hex8", "Costly:Shared")
         expect(run.returncode == 0, run.stderr)
         speeds = {}
         for line in text.splitlines():
@@ -69,14 +70,14 @@ def main():
                 speeds[test] = line.split('LABELS "')[1].split('"')[0]
         expect(speeds == {"plain.Plain.First": "plain;fast", "plain.Plain.Second": "plain;slow", "plain.Plain.Third": "plain;fast",
                           "plain.All/Any.Holds": "plain;slow", "plain.All/Any.Fails": "plain;fast",
-                          "plain.Typed/0.Holds": "plain;fast", "plain.Costly": "plain;slow"}, f"lists {speeds}")
+                          "plain.Typed/0.Holds": "plain;fast", "plain.Costly": "plain;slow", "plain.Shared": "plain;slow"}, f"lists {speeds}")
         (folder / "CTestTestfile.cmake").write_text('include("cases.cmake")\n')
         ran = subprocess.run([sys.argv[2], "--test-dir", str(folder)], capture_output=True, text=True).stdout
         results = {words[3]: line.split(maxsplit=4)[4] for line in ran.splitlines()
                    if len(words := line.split()) > 4 and words[1] == "Test"}
         for case, what in [("Plain.First", "Passed"), ("Plain.Second", "***Failed"), ("Plain.Third", "***Skipped"),
                            ("All/Any.Holds", "Passed"), ("All/Any.Fails", "***Failed"), ("Typed/0.Holds", "Passed"),
-                           ("Costly", "***Skipped")]:
+                           ("Costly", "***Skipped"), ("Shared", "***Failed")]:
             expect(what in results.get(f"plain.{case}", ""), f"{case} is not {what}:\n{ran}")
         for slow, together, what in [("Plain.Fourth*", "", '"Plain.Fourth*"'), ("Plain.*:Any.*", "", '"Any.*"'),
                                      ("", "Cheap", "suite Cheap")]:
