@@ -282,6 +282,10 @@ struct Exact {
   /// K has no negative direction, or nothing damps: the steps below `step` are stable then, and those above are not.
   bool decides = true;
   bool holdsAtReference = false;  ///< it is ≽ 0 at the reference step
+
+  /// The largest step that may be called safe, and the least that may be called unstable, s.
+  double mostSafe(double reference) const { return decides ? step : holdsAtReference ? infinity : reference; }
+  double leastUnstable(double reference) const { return decides ? step : holdsAtReference ? reference : 0; }
 };
 
 /// By dense eigenvalues at steps that come down to the limit.
@@ -333,14 +337,9 @@ bool compare(const std::optional<CriticalStep>& step, const Exact& exactly, doub
              Tally& tally) {
   ++tally.states;
   const double h = exactly.step;
-  bool right = step.has_value();
-  if (right && exactly.decides) {
-    right = step->safe <= h * (1 + exact) && step->optimistic >= h * (1 - exact);
-  } else if (right) {
-    ++tally.indefinite;
-    right =
-        exactly.holdsAtReference ? step->optimistic >= reference * (1 - exact) : step->safe <= reference * (1 + exact);
-  }
+  if (step && !exactly.decides) ++tally.indefinite;
+  const bool right = step && step->safe <= exactly.mostSafe(reference) * (1 + exact) &&
+                     step->optimistic >= exactly.leastUnstable(reference) * (1 - exact);
   if (right) {
     if (!exactly.decides) return true;
     tally.tightest = std::max(tally.tightest, step->safe / h);
@@ -487,13 +486,9 @@ bool isRight(const MonitorReport& report, MonitorMode mode, std::optional<double
              double reference, const std::string& what, Tally& tally) {
   if (mode == MonitorMode::bracket || report.bracket)
     if (!compare(report.bracket, exactly, reference, what, tally)) return false;
-  const double most = exactly.decides            ? exactly.step
-                      : exactly.holdsAtReference ? infinity
-                                                 : reference;  // that a step may be certified
-  const double least = exactly.decides ? exactly.step : exactly.holdsAtReference ? reference : 0;  // or violated
-  const bool right = report.certified <= most * (1 + exact) &&
-                     (!h || report.verdict != Verdict::certified || *h <= most * (1 + exact)) &&
-                     (!h || report.verdict != Verdict::violated || *h >= least * (1 - exact));
+  const double most = exactly.mostSafe(reference) * (1 + exact), least = exactly.leastUnstable(reference) * (1 - exact);
+  const bool right = report.certified <= most && (!h || report.verdict != Verdict::certified || *h <= most) &&
+                     (!h || report.verdict != Verdict::violated || *h >= least);
   if (right) return true;
   ++tally.wrong;
   ADD_FAILURE() << what << ": " << report.certified << " s is certified, and h = " << h.value_or(0) << " s "
@@ -620,10 +615,12 @@ class WatchedRun {
     if (saved_) {
       const MonitorReport& other = saved_->observe(k, state_.time, state_.x, state_.v, h_);
       ++tally_.loaded;
-      if (other.certified != report.certified || other.verdict != report.verdict ||
-          other.elementsRefreshed != report.elementsRefreshed ||
-          (other.bracket && report.bracket && other.bracket->optimistic != report.bracket->optimistic))
-        return fail(where + ": the monitor that was loaded says something else than the one that was saved");
+      const bool same = other.certified == report.certified && other.verdict == report.verdict &&
+                        other.elementsRefreshed == report.elementsRefreshed &&
+                        other.bracket.has_value() == report.bracket.has_value() &&
+                        (!report.bracket || (other.bracket->safe == report.bracket->safe &&
+                                             other.bracket->optimistic == report.bracket->optimistic));
+      if (!same) return fail(where + ": the monitor that was loaded says something else than the one that was saved");
     }
     if (!report.fresh) return true;
     // A law may have no tangent, or none that is known in double precision, where an element is inverted.
@@ -657,10 +654,23 @@ class WatchedRun {
 };
 
 /// A body by a seed of its own, so that it can be tried again alone.
-void tryBody(std::uint64_t seed, std::uint64_t body, Tally& tally) {
+void tryBody(std::uint64_t seed, std::uint64_t body, Tally& tally, bool watched = false) {
   test::Random random(seed * 1000000007ULL + body);
-  tryOne(random, joinText("seed ", seed, ", body ", body), tally);
+  const std::string what = joinText("seed ", seed, ", body ", body);
+  if (watched)
+    WatchedRun(random, what, tally).run();
+  else
+    tryOne(random, what, tally);
 }
+
+/// A number that a variable of the environment asks for.
+std::optional<std::uint64_t> asked(const char* variable) {
+  const char* const value = std::getenv(variable);
+  return value ? std::optional<std::uint64_t>(std::strtoull(value, nullptr, 10)) : std::nullopt;
+}
+std::uint64_t askedSeed() { return asked("RINGWATCH_SEED").value_or(1); }
+/// The first body, to try one again.
+std::uint64_t askedBody() { return asked("RINGWATCH_FIRST_BODY").value_or(0); }
 
 // With a budget, bodies whose shares of the exchange bound cannot be made again while the weights rest.
 TEST(RandomTrials, SharesThatCannotBeMadeAgainLeaveABracket) {
@@ -672,14 +682,11 @@ TEST(RandomTrials, SharesThatCannotBeMadeAgainLeaveABracket) {
 }
 
 TEST(RandomTrials, BracketsHoldTheExactStep) {
-  const char *asked = std::getenv("RINGWATCH_STATE_CHECKS"), *seed = std::getenv("RINGWATCH_SEED"),
-             *from = std::getenv("RINGWATCH_FIRST_BODY");  // to try one again
-  const std::int64_t wanted = asked ? std::atoll(asked) : 20000;
-  const std::uint64_t first = seed ? std::strtoull(seed, nullptr, 10) : 1;
+  const auto checks = asked("RINGWATCH_STATE_CHECKS");
+  const auto wanted = static_cast<std::int64_t>(checks.value_or(20000));
   Tally tally;
-  for (std::uint64_t body = from ? std::strtoull(from, nullptr, 10) : 0; tally.trials < wanted && tally.wrong < 5;
-       ++body) {
-    tryBody(first, body, tally);
+  for (std::uint64_t body = askedBody(); tally.trials < wanted && tally.wrong < 5; ++body) {
+    tryBody(askedSeed(), body, tally);
     ASSERT_LT(tally.skipped, 100 + tally.states);
   }
   EXPECT_EQ(tally.wrong, 0);
@@ -688,7 +695,7 @@ TEST(RandomTrials, BracketsHoldTheExactStep) {
   EXPECT_GT(tally.damped, tally.states / 4);
   EXPECT_GT(tally.toggled, 10);
   EXPECT_GT(tally.widestAtRest, leastAtRest);
-  if (asked)
+  if (checks)
     std::cout << tally.trials << " elements in " << tally.states << " states, " << tally.alongRuns
               << " of them along runs, " << tally.damped << " damped, contact changed " << tally.toggled << " times, "
               << tally.indefinite << " of indefinite stiffness, " << tally.wrong << " wrong, " << tally.skipped
@@ -697,20 +704,15 @@ TEST(RandomTrials, BracketsHoldTheExactStep) {
 }
 
 TEST(RandomTrials, WatchedRunsHoldTheExactStep) {
-  const char *asked = std::getenv("RINGWATCH_WATCHED_RUNS"), *seed = std::getenv("RINGWATCH_SEED"),
-             *from = std::getenv("RINGWATCH_FIRST_BODY");
-  const std::uint64_t runs = asked ? std::strtoull(asked, nullptr, 10) : 20,
-                      first = seed ? std::strtoull(seed, nullptr, 10) : 1,
-                      begin = from ? std::strtoull(from, nullptr, 10) : 0;
+  const auto watched = asked("RINGWATCH_WATCHED_RUNS");
+  const std::uint64_t runs = watched.value_or(20), first = askedBody();
   Tally tally;
-  for (std::uint64_t body = begin; body < begin + runs && tally.wrong < 5; ++body) {
-    test::Random random((first * 1000000007ULL + body) ^ 0x9e3779b97f4a7c15ULL);
-    WatchedRun(random, joinText("seed ", first, ", body ", body), tally).run();
-  }
+  for (std::uint64_t body = first; body < first + runs && tally.wrong < 5; ++body)
+    tryBody(askedSeed(), body, tally, true);
   EXPECT_EQ(tally.wrong, 0);
   EXPECT_GT(tally.alongRuns, 10 * static_cast<std::int64_t>(runs));
   EXPECT_GT(tally.loaded, 0);
-  if (asked)
+  if (watched)
     std::cout << tally.trials << " elements in " << tally.alongRuns << " states along " << runs << " runs, "
               << tally.indefinite << " of indefinite stiffness, " << tally.loaded
               << " compared with a monitor that was saved, " << tally.wrong << " wrong, " << tally.skipped
