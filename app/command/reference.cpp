@@ -204,8 +204,7 @@ std::string rangeOf(const NumberRange& range, std::string_view unit) {
 std::string scenePage(const Commands&) {
   Page page("Scene file",
             "A scene is a TOML file. Any consistent units will do; those that are named here are of the SI. "
-            "`ringwatch help scene` prints the same; [scene.schema.json](scene.schema.json) says it to programs and "
-            "editors, and `ringwatch schema scene` prints that.");
+            "`ringwatch help scene` prints the same, and `ringwatch schema scene` says it to programs and editors.");
   for (const SceneSection& section : sceneSections()) {
     page.heading(section.list       ? fmt::format("[[{}]]", section.name)
                  : section.alsoList ? fmt::format("[{0}] or [[{0}]]", section.name)
@@ -268,9 +267,9 @@ std::string historyPage(const Commands&) {
 std::string jsonPage(const Commands&) {
   Page page("JSON files",
             "Keys of objects are joined by dots; `[]` stands for each entry of a list, `*` for any key. `ringwatch "
-            "schema NAME` prints the JSON Schema of each file, which lies beside this page.");
+            "schema NAME` prints the JSON Schema of each file.");
   for (const JsonOutput& output : jsonOutputs()) {
-    page.heading(output.name, fmt::format("{0}: [{1}.schema.json]({1}.schema.json).", cell(output.help), output.name));
+    page.heading(output.name, fmt::format("{}.", cell(output.help)));
     addFields(page, output.fields, true);
   }
   return page.text();
@@ -428,8 +427,6 @@ std::string indexPage() {
       "change the tables and not the pages.");
   page.table({"page", "what it lists"});
   for (const NamedPage& one : pages) page.row({fmt::format("[{}]({}.md)", one.title, one.file), std::string(one.help)});
-  for (const SchemaInfo& schema : allSchemas())
-    page.row({fmt::format("[{0}.schema.json]({0}.schema.json)", schema.name), "JSON Schema of " + cell(schema.help)});
   return page.text();
 }
 
