@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstdint>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -59,6 +60,25 @@ TEST(ParallelSum, HasTheSameBitsForAnyNumberOfThreads) {
   // H_n = ln n + gamma + 1/(2n) - …
   EXPECT_NEAR(alone, std::log(1e5) + 0.57721566490153286 + 0.5e-5, 1e-11);
   for (const int threads : {0, 2, 3, 7}) EXPECT_EQ(sum(100'000, threads), alone) << threads;
+}
+
+TEST(ParallelFor, ThrowsTheExceptionOfTheLowestIndexForAnyNumberOfThreads) {
+  for (const int threads : {1, 2, 3, 7})
+    for (const std::int64_t first : {0, 17, 99}) {
+      std::string told;
+      try {
+        parallelFor(0, 100, threads, [&](std::int64_t i) {
+          if (i >= first) throw InputError(joinText("index ", i));
+        });
+      } catch (const InputError& fault) {
+        told = fault.what();
+      }
+      EXPECT_EQ(told, joinText("index ", first)) << threads;
+      EXPECT_THROW(parallelSum(4096, threads, [&](std::int64_t, std::int64_t) -> double { throw std::bad_alloc(); }),
+                   std::bad_alloc);
+      EXPECT_THROW(parallelParts(100, threads, 1, [](std::int64_t, std::int64_t) { throw std::bad_alloc(); }),
+                   std::bad_alloc);
+    }
 }
 
 TEST(ParallelFor, ThreadCountTakesTheRequestOrAll) {
