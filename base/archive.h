@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstring>
 #include <mutex>
@@ -18,8 +19,9 @@
 /// Objects as bytes and back, bit by bit: for a program that goes on where another process of the same build stopped. A
 /// class takes part by one member template for both directions,
 ///     void archive(Archive& a) { a(first_, second_); }
-/// that names what a constructor does not give it. Of types without it vectors, optionals, texts, Eigen's matrices and
-/// what can be copied by its bytes are known.
+/// that names what a constructor does not give it. Of types without it numbers, vectors, arrays, optionals, texts,
+/// Eigen's matrices and structs of such members are known. No padding is written, so that equal objects give equal
+/// bytes.
 namespace ringwatch {
 namespace detail {
 
@@ -37,10 +39,48 @@ template <class T>
 struct IsOptional<std::optional<T>> : std::true_type {};
 template <class T>
 concept EigenMatrix = std::is_base_of_v<Eigen::PlainObjectBase<T>, T>;
-/// Bytes are all that there is of it. Texts elsewhere would be pointers.
 template <class T>
-inline constexpr bool isBytes =
-    std::is_trivially_copyable_v<T> && !std::is_pointer_v<T> && !std::is_same_v<T, std::string_view>;
+struct IsArray : std::is_array<T> {};
+template <class T, std::size_t n>
+struct IsArray<std::array<T, n>> : std::true_type {};
+/// Its bytes are its value and nothing else: no padding and no address.
+template <class T>
+inline constexpr bool isBytes = std::is_arithmetic_v<T> ||
+                                (std::is_trivially_copyable_v<T> && std::has_unique_object_representations_v<T> &&
+                                 !std::is_pointer_v<T> && !std::is_same_v<T, std::string_view>);
+
+struct Anything {
+  template <class T>
+  operator T() const;
+};
+/// The number of members of a struct: of values of any type that initialise it.
+template <class T, class... Some>
+constexpr std::size_t memberCount() {
+  if constexpr (requires { T{Some{}..., Anything{}}; })
+    return memberCount<T, Some..., Anything>();
+  else
+    return sizeof...(Some);
+}
+/// Calls visit with all members of a struct.
+template <class T, class Visit>
+void withMembers(T& value, const Visit& visit) {
+  constexpr std::size_t members = memberCount<T>();
+  static_assert(members > 0 && members <= 12, "give the class a member archive()");
+  // clang-format off
+  if constexpr (members == 1) { auto& [a] = value; visit(a); }
+  if constexpr (members == 2) { auto& [a, b] = value; visit(a, b); }
+  if constexpr (members == 3) { auto& [a, b, c] = value; visit(a, b, c); }
+  if constexpr (members == 4) { auto& [a, b, c, d] = value; visit(a, b, c, d); }
+  if constexpr (members == 5) { auto& [a, b, c, d, e] = value; visit(a, b, c, d, e); }
+  if constexpr (members == 6) { auto& [a, b, c, d, e, f] = value; visit(a, b, c, d, e, f); }
+  if constexpr (members == 7) { auto& [a, b, c, d, e, f, g] = value; visit(a, b, c, d, e, f, g); }
+  if constexpr (members == 8) { auto& [a, b, c, d, e, f, g, h] = value; visit(a, b, c, d, e, f, g, h); }
+  if constexpr (members == 9) { auto& [a, b, c, d, e, f, g, h, i] = value; visit(a, b, c, d, e, f, g, h, i); }
+  if constexpr (members == 10) { auto& [a, b, c, d, e, f, g, h, i, j] = value; visit(a, b, c, d, e, f, g, h, i, j); }
+  if constexpr (members == 11) { auto& [a, b, c, d, e, f, g, h, i, j, k] = value; visit(a, b, c, d, e, f, g, h, i, j, k); }
+  if constexpr (members == 12) { auto& [a, b, c, d, e, f, g, h, i, j, k, l] = value; visit(a, b, c, d, e, f, g, h, i, j, k, l); }
+  // clang-format on
+}
 
 /// What both directions share: Self has bytes(void*, size).
 template <class Self>
@@ -72,6 +112,10 @@ class ArchiveBase {
       if (has) one(*value);
     } else if constexpr (EigenMatrix<T>) {
       matrix(value);
+    } else if constexpr (isBytes<T>) {
+      self().bytes(&value, sizeof value);
+    } else if constexpr (IsArray<T>::value) {
+      for (auto& element : value) one(element);
     } else if constexpr (std::is_same_v<T, Eigen::Quaternionf>) {
       self().bytes(value.coeffs().data(), 4 * sizeof(float));
     } else if constexpr (std::is_same_v<T, std::string>) {
@@ -82,8 +126,8 @@ class ArchiveBase {
       one(text);
       if constexpr (Self::loads) value = kept(std::move(text));
     } else {
-      static_assert(isBytes<T>, "give the class a member archive()");
-      self().bytes(&value, sizeof value);
+      static_assert(std::is_aggregate_v<T>, "give the class a member archive()");
+      withMembers(value, [this](auto&... members) { (*this)(members...); });
     }
   }
 
@@ -112,7 +156,7 @@ class ArchiveBase {
       one(rows);
       const std::size_t of = sizeof(typename T::Scalar) * static_cast<std::size_t>(std::max<std::int64_t>(rows, 1));
       const auto columns = static_cast<std::int64_t>(self().count(static_cast<std::size_t>(values.cols()), of));
-      if constexpr (Self::loads) values.resize(rows, columns);
+      if constexpr (Self::loads) values = T(rows, columns);  // resize() leaves no object where memory ends
     }
     if (values.size() > 0)
       self().bytes(values.data(), static_cast<std::size_t>(values.size()) * sizeof(typename T::Scalar));

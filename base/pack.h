@@ -54,6 +54,10 @@ struct Pack {
     return r;
   }
   RINGWATCH_INLINE void store(T* p) const { std::memcpy(p, &v, sizeof(Values)); }
+  template <class Archive>
+  void archive(Archive& a) {
+    a.bytes(&v, sizeof v);
+  }
 
   RINGWATCH_INLINE friend Pack operator+(Pack a, Pack b) { return Pack(a.v + b.v); }
   RINGWATCH_INLINE friend Pack operator-(Pack a, Pack b) { return Pack(a.v - b.v); }

@@ -177,6 +177,10 @@ class RoundedDown {
     static_assert(sizeof(RoundedDown) == sizeof(T));
     RoundingDown<T>::store(numbers, reinterpret_cast<T*>(to));
   }
+  template <class Archive>
+  void archive(Archive& a) {
+    a(stored_);
+  }
 
  private:
   T stored_{};
@@ -192,6 +196,10 @@ class RoundedUp {
   operator double() const { return -static_cast<double>(negative_); }
   /// A pack of numbers that lie one beside another.
   static NativePack load(const RoundedUp* from) { return -RoundedDown<T>::load(&from->negative_); }
+  template <class Archive>
+  void archive(Archive& a) {
+    a(negative_);
+  }
 
  private:
   RoundedDown<T> negative_;

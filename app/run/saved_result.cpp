@@ -1,10 +1,7 @@
 #include <ringwatch/app/run/saved_result.h>
 
-#include <cstring>
-#include <type_traits>
-
 #include <ringwatch/app/run/checkpoint.h>
-#include <ringwatch/base/error.h>
+#include <ringwatch/base/archive.h>
 
 namespace ringwatch {
 namespace {
@@ -12,22 +9,21 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // Written and read by the same version of the program.
-static_assert(std::is_trivially_copyable_v<ElementCause>);
-
-Json causeJson(const std::optional<ElementCause>& cause) {
+Json causeJson(std::optional<ElementCause> cause) {
   if (!cause) return nullptr;
-  std::vector<std::uint8_t> bytes(sizeof(ElementCause));
-  std::memcpy(bytes.data(), &*cause, bytes.size());
-  return Json::binary(std::move(bytes));
+  SavingArchive archive;
+  archive(*cause);
+  const std::string bytes = archive.take();
+  return Json::binary({bytes.begin(), bytes.end()});
 }
 
 std::optional<ElementCause> causeOf(const Json& json) {
   if (json.is_null()) return std::nullopt;
   const auto& bytes = json.get_binary();
-  if (bytes.size() != sizeof(ElementCause))
-    throw InputError("checkpoint: was written by another build of ringwatch; begin the run again");
+  LoadingArchive archive({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   ElementCause cause;
-  std::memcpy(&cause, bytes.data(), bytes.size());
+  archive(cause);
+  archive.end();
   return cause;
 }
 

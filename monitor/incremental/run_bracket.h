@@ -213,7 +213,7 @@ class RunBracket {
   /// What discrete forces give a node alone, rad²/s².
   struct Own {
     double value;
-    std::int64_t node;  // as wide as the value: archives take its bytes as they are
+    std::int32_t node;
   };
   std::vector<Own> own_;  // where they are at the last evaluation, by node
   NodeSubmatrix ringNodes_;

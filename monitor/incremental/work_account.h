@@ -220,6 +220,11 @@ class WorkAccount {
   bool affordsForVerdict(double work) const { return has(verdict_, work); }
   /// What single elements may take on credit where the certified eigenvalue would have to rise far.
   double credit() const { return income_ > 0 ? forcesOfCredit * force_ + leastIncome : 0; }
+  template <class Archive>
+  void archive(Archive& a) {
+    a(share_, force_, atStart_, income_, evaluation_, rebuild_, advance_, mostForVerdict_, mostForSearches_,
+      besideTests_, testsSince_, balance_, mode_, proof_, verdict_, searches_, asked_, askedSince_);
+  }
 
  private:
   double incomeForProvenSide(bool seeksVerdict = false) const {

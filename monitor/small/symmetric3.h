@@ -13,6 +13,10 @@ struct Symmetric3 {
   RINGWATCH_INLINE static constexpr int index(int i, int j) { return i == j ? i : 6 - i - j; }
   RINGWATCH_INLINE const S& operator()(int i, int j) const { return m[index(i, j)]; }
   RINGWATCH_INLINE S& operator()(int i, int j) { return m[index(i, j)]; }
+  template <class Archive>
+  void archive(Archive& a) {
+    a(m);
+  }
   RINGWATCH_INLINE S trace() const { return m[0] + m[1] + m[2]; }
   RINGWATCH_INLINE S determinant() const {
     return m[0] * (m[1] * m[2] - m[3] * m[3]) - m[5] * (m[5] * m[2] - m[3] * m[4]) + m[4] * (m[5] * m[3] - m[1] * m[4]);

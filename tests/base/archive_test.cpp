@@ -1,7 +1,10 @@
 // Objects written as bytes and read back.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstring>
+#include <new>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,12 +24,21 @@ struct Part {
   }
 };
 
+/// Has padding, and an optional whose value may not be there.
+struct Padded {
+  bool first = true;
+  double second = 2;
+  std::int16_t third = 3;
+  std::optional<std::array<int, 3>> fourth = {};
+};
+
 struct Whole {
   double number = 0;
   std::vector<Part> parts;
   std::vector<bool> flags;
   std::vector<std::vector<int>> lists;
   std::optional<Part> maybe, none;
+  std::vector<Padded> padded;
   std::string text;
   Eigen::Matrix<double, 3, Eigen::Dynamic> vectors;
   Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
@@ -34,7 +46,7 @@ struct Whole {
 
   template <class Archive>
   void archive(Archive& a) {
-    a(number, parts, flags, lists, maybe, none, text, vectors, matrix, rotation);
+    a(number, parts, flags, lists, maybe, none, padded, text, vectors, matrix, rotation);
   }
 };
 
@@ -45,6 +57,7 @@ Whole example() {
   whole.parts = {{{1, 2, 3}, gone}, {{}, "other"}};
   whole.flags = {true, false, true};
   whole.lists = {{}, {1, 2}};
+  whole.padded = {{}, {false, -1, 7, {{1, 2, 3}}}};
   whole.maybe = Part{{-0.0F}, ""};
   whole.text = std::string("with \0 in it", 12);
   whole.vectors = Eigen::Matrix<double, 3, Eigen::Dynamic>::Random(3, 5);
@@ -78,11 +91,31 @@ TEST(Archive, GivesBackWhatItWasGiven) {
   ASSERT_TRUE(second.maybe);
   EXPECT_TRUE(std::signbit(second.maybe->numbers.at(0)));
   EXPECT_FALSE(second.none);
+  ASSERT_EQ(second.padded.size(), 2u);
+  EXPECT_FALSE(second.padded[0].fourth);
+  EXPECT_EQ(second.padded[1].third, 7);
+  EXPECT_EQ(second.padded[1].fourth, first.padded[1].fourth);
   EXPECT_EQ(second.text, first.text);
   EXPECT_EQ(second.vectors, first.vectors);
   EXPECT_EQ(second.matrix, first.matrix);
   EXPECT_EQ(second.rotation.coeffs(), first.rotation.coeffs());
   EXPECT_EQ(bytesOf(second), bytes);
+}
+
+/// An object in memory that held `before`.
+std::string bytesOver(unsigned char before) {
+  alignas(Padded) unsigned char memory[sizeof(Padded)];
+  std::memset(memory, before, sizeof memory);
+  auto* padded = new (memory) Padded;
+  SavingArchive archive;
+  archive(*padded);
+  return archive.take();
+}
+
+TEST(Archive, GivesBytesThatDoNotDependOnWhatWasInMemory) {
+  EXPECT_EQ(bytesOver(0x00), bytesOver(0xff));
+  // A flag, a double, a short and whether there is an optional.
+  EXPECT_EQ(bytesOver(0).size(), 1u + 8 + 2 + 1);
 }
 
 TEST(Archive, RefusesBytesThatEndEarlyOrLate) {
