@@ -78,13 +78,18 @@ class ThroughFile {
 
 }  // namespace detail
 
+/// What a written file outlives: the end of this program, or that of the machine too, which takes the time that a disk
+/// needs.
+enum class Outlives { program, machine };
+
 /// Lets `write` fill a temporary file in the folder of `path` and renames it to `path`: a reader sees the old file or
 /// the whole new one, never half of one. On failure the temporary is removed and `path` is left as it was. Symbolic
 /// links stay, and the file they lead to is replaced. What is no regular file, such as a device or a pipe, and this
 /// program's own output stay as well: they get the bytes.
 /// Throws InputError "cannot write PATH: reason"; an InputError of `write` itself passes unchanged.
 inline void writeFileAtomically(const std::filesystem::path& path,
-                                const std::function<void(const std::filesystem::path& temporary)>& write) {
+                                const std::function<void(const std::filesystem::path& temporary)>& write,
+                                Outlives outlives = Outlives::program) {
   const std::string failure = "cannot write " + path.string() + ": ";
   const auto fill = [&](const std::filesystem::path& temporary) {
     try {
@@ -120,8 +125,17 @@ inline void writeFileAtomically(const std::filesystem::path& path,
   if (std::filesystem::is_directory(target, error)) throw InputError(failure + "a folder of that name is in the way");
   try {
     fill(temporary);
+    const auto sync = [&](const std::filesystem::path& what) {
+      if (outlives == Outlives::program) return;
+      const int descriptor = ::open(what.c_str(), O_RDONLY | O_CLOEXEC);
+      const int reason = descriptor < 0 ? errno : OutputFile::synced(descriptor);
+      if (descriptor >= 0) ::close(descriptor);
+      if (reason != 0) throw InputError(failure + std::strerror(reason));
+    };
+    sync(temporary);
     std::filesystem::rename(temporary, target, error);
     if (error) throw InputError(failure + error.message());
+    sync(folder);
   } catch (...) {
     std::error_code ignored;
     std::filesystem::remove(temporary, ignored);
@@ -130,17 +144,19 @@ inline void writeFileAtomically(const std::filesystem::path& path,
 }
 
 /// Replaces a file, as above, by a text or bytes at hand.
-inline void writeFileAtomically(const std::filesystem::path& path, std::string_view content) {
+inline void writeFileAtomically(const std::filesystem::path& path, std::string_view content,
+                                Outlives outlives = Outlives::program) {
   if (detail::isWrittenThrough(path)) {
     detail::ThroughFile file(path);
     file.write(content);
     return file.close();
   }
-  writeFileAtomically(path, [&](const std::filesystem::path& temporary) {
+  const auto write = [&](const std::filesystem::path& temporary) {
     OutputFile file(temporary, OutputFile::Mode::empty, path.string());
     file.write(content);
     file.close();
-  });
+  };
+  writeFileAtomically(path, write, outlives);
 }
 
 }  // namespace ringwatch

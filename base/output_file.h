@@ -51,6 +51,16 @@ class OutputFile {
     }
     fail(reason);
   }
+  /// Returns when what was written is on the disk, where a machine that fails leaves it.
+  void sync() {
+    if (const int reason = synced(descriptor_); reason != 0) fail(reason);
+  }
+  /// The same of an open descriptor; the error number, 0 for none. What cannot be synced, as a pipe, needs no sync.
+  static int synced(int descriptor) {
+    while (::fsync(descriptor) != 0)
+      if (errno != EINTR) return errno == EINVAL || errno == EROFS || errno == ENOTSUP ? 0 : errno;
+    return 0;
+  }
   /// Bytes in the file.
   std::size_t size() const { return written_; }
   void close() {

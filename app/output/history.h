@@ -35,6 +35,7 @@ class HistoryWriter {
   void write(const HistoryRow& row);
   /// Writes what is left; the bytes of the file then.
   std::size_t bytes() { return file_.bytes(); }
+  void sync() { file_.sync(); }
   void finish() { file_.finish(); }
 
  private:

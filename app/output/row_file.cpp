@@ -58,6 +58,11 @@ std::size_t RowFile::bytes() {
   return file_.size();
 }
 
+void RowFile::sync() {
+  flush();
+  file_.sync();
+}
+
 void RowFile::finish() {
   flush();
   file_.close();

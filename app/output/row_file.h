@@ -25,6 +25,8 @@ class RowFile {
   void write(const std::string& row);
   /// Writes what is left; the bytes of the file then.
   std::size_t bytes();
+  /// The same onto the disk, where a machine that fails leaves it.
+  void sync();
   void finish();
 
  private:

@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int format = 8;  // of the file; any change of what is in it counts
+constexpr int format = 9;  // of the file; any change of what is in it counts
 constexpr std::string_view anyMark = "ringwatch checkpoint";
 const std::string mark = fmt::format("{} {}\n", anyMark, format);
 
@@ -119,7 +119,7 @@ std::size_t writeCheckpoint(const std::filesystem::path& folder, const Checkpoin
   text += head;
   text += checkpoint.memory;
   appendNumber(text, hashOf(text));
-  writeFileAtomically(folder / checkpointFile, text);
+  writeFileAtomically(folder / checkpointFile, text, Outlives::machine);
   return text.size();
 }
 

@@ -30,8 +30,8 @@ inline constexpr const char* checkpointFile = "checkpoint.bin";
 /// A number for nodes and elements of a mesh; another mesh has another one.
 std::uint64_t hashOf(const Mesh& mesh);
 
-/// Replaces the checkpoint in a folder: the old one or the whole new one is there, however the program ends. Returns
-/// its bytes. Throws InputError when it cannot be written.
+/// Replaces the checkpoint in a folder: the old one or the whole new one is there, however the program or the machine
+/// ends. Returns its bytes. Throws InputError when it cannot be written.
 std::size_t writeCheckpoint(const std::filesystem::path& folder, const Checkpoint& checkpoint);
 /// Throws InputError where there is none, it is damaged, or another version has written it.
 Checkpoint readCheckpoint(const std::filesystem::path& folder);

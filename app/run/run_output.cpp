@@ -9,6 +9,7 @@
 
 #include <ringwatch/app/output/report.h>
 #include <ringwatch/app/run/checkpoint.h>
+#include <ringwatch/monitor/certificate_file.h>
 
 namespace ringwatch {
 namespace {
@@ -84,6 +85,8 @@ void RunOutput::resume(const nlohmann::ordered_json& saved, std::int64_t step) {
 }
 
 nlohmann::ordered_json RunOutput::save() {
+  history_->sync();
+  if (probes_) probes_->sync();
   return {{"history", history_->bytes()},
           {"probes", probes_ ? probes_->bytes() : 0},
           {"frames", frames_ ? frames_->times() : std::vector<double>()},
@@ -133,7 +136,8 @@ void RunOutput::finish(RunResult& result, const State& state, const FrameState& 
   }
   if (!body_) return;
   if (const std::int64_t count = certificates_->count(); count > 0)
-    result.files.push_back(fmt::format("certificates ({} files)", count));
+    result.files.push_back(
+        fmt::format("certificates ({} files, of the body {:016x})", count, certifiedBodyHash(*body_)));
   if (pictured_) drawPicture(result);
 }
 

@@ -1,7 +1,23 @@
+#include <sys/syscall.h>
+
 #include <ringwatch/base/atomic_file.h>
 #include <ringwatch/base/nearest_name.h>
 
 #include "tests/meshes/mesh_test_tools.h"
+
+namespace {
+/// What was synced, and whether the file `watched` was there then.
+std::vector<std::pair<std::filesystem::path, bool>> synced;
+std::filesystem::path watched;
+int failWith = 0;
+}  // namespace
+/// In place of the system's.
+extern "C" int fsync(int descriptor) {
+  synced.emplace_back(std::filesystem::read_symlink("/proc/self/fd/" + std::to_string(descriptor)),
+                      std::filesystem::exists(watched));
+  errno = failWith;
+  return failWith != 0 ? -1 : static_cast<int>(::syscall(SYS_fsync, descriptor));
+}
 
 namespace ringwatch {
 namespace {
@@ -28,6 +44,26 @@ TEST(AtomicFile, AFailureLeavesTheOldFileAndNothingElse) {
   EXPECT_EQ(text, "cannot write " + (folder / "a.txt").string() + ": the disk is full");
   EXPECT_EQ(readBytes(folder / "a.txt"), "old");
   EXPECT_EQ(folder.fileCount(), 1u);
+}
+
+TEST(AtomicFile, IsOnTheDiskBeforeItHasItsNameAndItsNameIsThereAtTheEnd) {
+  const TemporaryFolder folder;
+  synced.clear();
+  watched = folder / "a.txt";
+  writeFileAtomically(watched, "one", Outlives::machine);
+  ASSERT_EQ(synced.size(), 2u);
+  EXPECT_TRUE(synced[0].first.string().starts_with(watched.string() + ".part-")) << synced[0].first;
+  EXPECT_FALSE(synced[0].second);
+  EXPECT_EQ(synced[1], std::pair(watched.parent_path(), true));
+  failWith = ENOSPC;
+  EXPECT_EQ(errorOf([&] { writeFileAtomically(watched, "two", Outlives::machine); }),
+            "cannot write " + watched.string() + ": No space left on device");
+  failWith = 0;
+  EXPECT_EQ(readBytes(watched), "one");
+  EXPECT_EQ(folder.fileCount(), 1u);
+  synced.clear();
+  writeFileAtomically(watched, "three");
+  EXPECT_TRUE(synced.empty());
 }
 
 TEST(AtomicFile, NamesWhatIsInTheWay) {
