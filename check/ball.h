@@ -36,8 +36,16 @@ class Ball {
   void addProduct(const Ball& a, const Ball& b) { arb_addmul(value_, a.value_, b.value_, precision); }
   void subtractProduct(const Ball& a, const Ball& b) { arb_submul(value_, a.value_, b.value_, precision); }
 
-  /// Whether all numbers of the ball are positive.
+  /// The number that decimals say.
+  static Ball ofDecimals(const char* text) {
+    Ball r;
+    arb_set_str(r.value_, text, precision);
+    return r;
+  }
+
+  /// Whether all numbers of the ball are positive, or none is negative.
   bool positive() const { return arb_is_positive(value_) != 0; }
+  bool nonnegative() const { return arb_is_nonnegative(value_) != 0; }
   friend Ball root(const Ball& a) { return of(arb_sqrt, a); }
   friend Ball logarithm(const Ball& a) { return of(arb_log, a); }
   /// Its midpoint alone, for guesses.

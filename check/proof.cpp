@@ -74,6 +74,19 @@ class Reader {
   std::size_t at_ = 0;
 };
 
+/// FNV-1a, 64 bits.
+class Fnv {
+ public:
+  void add(const void* data, std::size_t size) {
+    for (std::size_t i = 0; i < size; ++i) value_ = (value_ ^ static_cast<const unsigned char*>(data)[i]) * prime;
+  }
+  std::uint64_t value() const { return value_; }
+
+ private:
+  static constexpr std::uint64_t prime = 0x100000001b3ULL;
+  std::uint64_t value_ = 0xcbf29ce484222325ULL;
+};
+
 struct Node {
   double numbers[10];  // X, x, mass, u
   std::uint8_t held;   // a bit for each component
@@ -130,6 +143,23 @@ Rows takeExchanged(Reader& file, std::vector<Node>& nodes, const std::int32_t* o
   return rest;
 }
 
+/// An element's part of the hash: its kind, and of each node the reference position, the mass and what is held.
+std::uint64_t hashOf(const Kind& kind, const std::vector<Node>& nodes, const std::int32_t* own, std::size_t n) {
+  Fnv hash;
+  const std::string names = kind.element + " " + kind.law;
+  hash.add(names.data(), names.size());
+  for (const double constant : {kind.lambda, kind.mu, kind.pointLambda, kind.pointMu, kind.meanLambda, kind.meanMu})
+    hash.add(&constant, sizeof constant);
+  for (const auto& point : kind.points) hash.add(point.data(), sizeof point);
+  for (std::size_t a = 0; a < n; ++a) {
+    const Node& node = nodes[own[a]];
+    hash.add(node.numbers, 3 * sizeof(double));
+    hash.add(node.numbers + 6, sizeof(double));
+    hash.add(&node.held, 1);
+  }
+  return hash.value();
+}
+
 /// One element: adds it to uᵀKu, and subtracts it from the whole matrix or, without one, proves that its allowance or
 /// its exchanged matrix bounds its tangent, and adds that to the sums at its nodes.
 void proveElement(const Kind& kind, Reader& file, std::vector<Node>& nodes, const UpperSide& upper, Ball& form,
@@ -151,6 +181,7 @@ void proveElement(const Kind& kind, Reader& file, std::vector<Node>& nodes, cons
   Square K(0);
   if (!elementTangent(kind, X, x, K, volume)) throw Unproven("its tangent cannot be enclosed");
   verdict.volume += volume;
+  verdict.hash += hashOf(kind, nodes, own, n);
   for (const int r : free)
     for (const int s : free) {
       const Node &at = nodes[own[r / 3]], &other = nodes[own[s / 3]];
@@ -223,11 +254,12 @@ void proveWhole(Rows& whole) {
 
 /// The last eight bytes are FNV-1a of all others, which finds every change of a single byte.
 void testChecksum(const std::string& bytes) {
-  std::uint64_t stored = 0, sum = 0xcbf29ce484222325ULL;
+  std::uint64_t stored = 0;
   const std::size_t end = bytes.size() - std::min(bytes.size(), sizeof stored);
-  for (std::size_t i = 0; i < end; ++i) sum = (sum ^ static_cast<unsigned char>(bytes[i])) * 0x100000001b3ULL;
+  Fnv sum;
+  sum.add(bytes.data(), end);
   std::memcpy(&stored, bytes.data() + end, bytes.size() - end);
-  if (stored != sum) throw Unreadable("its checksum does not fit: it was damaged or changed");
+  if (stored != sum.value()) throw Unreadable("its checksum does not fit: it was damaged or changed");
 }
 
 /// `place`: what is at hand, for the message.
@@ -243,8 +275,11 @@ void prove(const std::string& bytes, Verdict& verdict, std::string& place) {
   verdict.nodes = static_cast<std::int64_t>(nodes.size());
   verdict.sigma = file.expect("sigma").number();
   verdict.lower = file.expect("lower").number();
-  std::vector<Kind> kinds(file.expect("kinds").count(20));
-  std::vector<std::size_t> elements;
+  if (verdict.sigma < 0 || verdict.lower < 0) throw Unproven("sigma or lower is negative");
+  if (verdict.sigma == 0 && verdict.lower == 0) throw Unproven("it claims nothing");
+  std::vector<Kind>& kinds = verdict.kinds;
+  kinds.resize(file.expect("kinds").count(20));
+  std::vector<std::size_t>& elements = verdict.elementsOf;
   for (Kind& kind : kinds) {
     kind.element = file.expect("kind").word();
     kind.law = file.word();
@@ -271,6 +306,11 @@ void prove(const std::string& bytes, Verdict& verdict, std::string& place) {
     if (!(nodes[i].mass() > 0)) throw Unproven("its mass is not positive");
     verdict.mass += nodes[i].mass();
     for (int c = 0; c < 3; ++c) {
+      const double X = nodes[i].numbers[c];
+      verdict.least[c] = i == 0 ? X : std::min(verdict.least[c], X);
+      verdict.largest[c] = i == 0 ? X : std::max(verdict.largest[c], X);
+      verdict.displaced = std::max(verdict.displaced, std::abs(nodes[i].numbers[3 + c] - X));
+      verdict.held[c] += nodes[i].free(c) ? 0 : 1;
       mass += Ball(nodes[i].mass()) * nodes[i].u(c) * nodes[i].u(c);
       nodes[i].row[c] = static_cast<int>(whole.size());
       if (factored && nodes[i].free(c)) whole.push_back({Ball(verdict.sigma) * Ball(nodes[i].mass())});

@@ -1,6 +1,7 @@
 #include <ringwatch/monitor/certificate_file.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdio>
@@ -31,6 +32,22 @@ constexpr double leastAllowance = 1e-13;
 
 static_assert(std::endian::native == std::endian::little, "the file holds numbers as they lie in memory");
 
+/// FNV-1a, 64 bits.
+class Fnv {
+ public:
+  void add(std::string_view bytes) {
+    for (const char byte : bytes) value_ = (value_ ^ static_cast<unsigned char>(byte)) * 0x100000001b3ULL;
+  }
+  template <class... Numbers>
+  void addNumbers(Numbers... numbers) {
+    (add({reinterpret_cast<const char*>(&numbers), sizeof numbers}), ...);
+  }
+  std::uint64_t value() const { return value_; }
+
+ private:
+  std::uint64_t value_ = 0xcbf29ce484222325ULL;
+};
+
 class Bytes {
  public:
   template <class T>
@@ -47,8 +64,9 @@ class Bytes {
   void reserve(std::size_t size) { bytes_.reserve(size); }
   /// With FNV-1a of all that went before, which changes with every change of a single byte.
   std::string sealed() && {
-    std::uint64_t sum = 0xcbf29ce484222325ULL;
-    for (const char byte : bytes_) sum = (sum ^ static_cast<unsigned char>(byte)) * 0x100000001b3ULL;
+    Fnv hash;
+    hash.add(bytes_);
+    const std::uint64_t sum = hash.value();
     add(&sum, 1);
     return std::move(bytes_);
   }
@@ -69,13 +87,25 @@ std::optional<Lame> constantsOf(const Material& material) {
       material.law);
 }
 
+/// Lamé's constants, and their shares at the points and at the mean.
+std::array<double, 6> numbersOf(const ElementBlock& block) {
+  const Lame constants = constantsOf(block.material()).value();
+  const auto& shares = block.rule().shares;
+  return {constants.lambda, constants.mu, shares.pointLambda, shares.pointMu, shares.meanLambda, shares.meanMu};
+}
+
+/// Bits 0, 1, 2: the component x, y, z is held.
+std::uint8_t heldComponents(const Body& body, std::int32_t node) {
+  std::uint8_t held = 0;
+  for (int c = 0; c < 3; ++c)
+    if (body.constraints().isConstrained(node, c)) held = static_cast<std::uint8_t>(held | 1 << c);
+  return held;
+}
+
 void addKind(Bytes& bytes, const ElementBlock& block) {
   const QuadratureRule& rule = block.rule();
-  const Lame constants = constantsOf(block.material()).value();
   bytes.add(joinText("kind ", block.element().name, " ", block.material().lawName(), " ", block.elementCount()));
-  for (const double number : {constants.lambda, constants.mu, rule.shares.pointLambda, rule.shares.pointMu,
-                              rule.shares.meanLambda, rule.shares.meanMu})
-    bytes.addNumber(number);
+  for (const double number : numbersOf(block)) bytes.addNumber(number);
   bytes.add(joinText(" ", rule.points.size(), "\n"));
   for (const QuadraturePoint& point : rule.points) {
     bytes.add("point");
@@ -152,9 +182,7 @@ Bytes beginFile(const Body& body, const NodeVectors& x, const Certificate& certi
     bytes.add(x.col(i).data(), 3);
     bytes.add(&body.lumpedMass()[i], 1);
     bytes.add(u.col(i).data(), 3);
-    std::uint8_t held = 0;
-    for (int c = 0; c < 3; ++c)
-      if (body.constraints().isConstrained(i, c)) held = static_cast<std::uint8_t>(held | 1 << c);
+    const std::uint8_t held = heldComponents(body, i);
     bytes.add(&held, 1);
   }
   return bytes;
@@ -211,6 +239,27 @@ void requireCertifiable(const Body& body) {
     else if (block.rule().uniformStrain)
       throw InputError(joinText("certificate: of the rule ", block.rule().name,
                                 " there is none; choose another rule of ", block.element().name));
+}
+
+std::uint64_t certifiedBodyHash(const Body& body) {
+  requireCertifiable(body);
+  std::uint64_t sum = 0;
+  for (const auto& block : body.blocks()) {
+    Fnv kind;
+    kind.add(joinText(block->element().name, " ", block->material().lawName()));
+    for (const double number : numbersOf(*block)) kind.addNumbers(number);
+    for (const QuadraturePoint& point : block->rule().points)
+      kind.addNumbers(point.xi[0], point.xi[1], point.xi[2], point.weight);
+    for (std::int32_t e = 0; e < block->elementCount(); ++e) {
+      Fnv element = kind;
+      for (const std::int32_t node : block->nodesOf(e)) {
+        const auto X = body.mesh().X.col(node);
+        element.addNumbers(X[0], X[1], X[2], body.lumpedMass()[node], heldComponents(body, node));
+      }
+      sum += element.value();
+    }
+  }
+  return sum;
 }
 
 Certificate makeCertificate(const Body& body, const NodeVectors& x, UpperSideBy by) {

@@ -23,6 +23,11 @@ struct Certificate {
   std::string_view proof;  ///< of the upper side: nodal-bound, exchange-bound or factorisation
 };
 
+/// A number for what a body's certificates are about, whatever their state and order of nodes: elements, laws, rules,
+/// reference positions, masses and held components. `ringwatch-check` finds the same in a file. It finds a body that
+/// was taken for another one, and resists no forgery. Throws InputError as requireCertifiable.
+std::uint64_t certifiedBodyHash(const Body& body);
+
 /// Which bounds may prove the upper side: the exchange bound takes ten times as long and four times as many bytes, and
 /// is tried where the nodal bound is off by more than 1 % of the step (ExchangePolicy).
 enum class UpperSideBy { nodalBound, tighterOfBoth };

@@ -14,6 +14,9 @@ namespace {
 constexpr double widest = 0.02;  // of the eigenvalue, 1 % of the step: beyond, other bounds say as much for less
 /// A residual of 1e-7 leaves a Rayleigh quotient 1e-14 below its eigenvalue, relative.
 constexpr double modeTolerance = 1e-7;
+/// Taken from the eigenvalue of a step, which is some roundings off, so that what is proven of it holds for that very
+/// step: 8 u.
+constexpr double ruleRounding = 0x1p-50;
 
 struct TopQuotient {
   LowerBound lower;
@@ -61,7 +64,7 @@ Verdict proveStep(const TangentSource& source, NodeVectorsView x, const StepRule
                   const BeforeFactorisation& before, ProvenSides* sides) {
   requireProof(limit);
   if (!(h > 0) || !std::isfinite(h)) throw InputError(joinText("h = ", h, ": must be > 0 and finite"));
-  const double sigma = limit.lambdaFor(h);
+  const double sigma = limit.lambdaFor(h) * (1 - ruleRounding);
   FactoredCertificate certificate(source, x);
   if (before) before(certificate.cost());
   if (certificate.certifies(sigma)) {

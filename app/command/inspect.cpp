@@ -606,7 +606,8 @@ void writeCertificate(const Subject& subject, const InspectOptions& options, con
   const std::string file = options.certificate->string();
   writeFileAtomically(*options.certificate, std::string_view(certificate.bytes));
   Json& json = result.json["certificate"];
-  json = Json{{"file", file}, {"bytes", certificate.bytes.size()}};
+  const std::string body = fmt::format("{:016x}", certifiedBodyHash(subject.body));
+  json = Json{{"file", file}, {"bytes", certificate.bytes.size()}, {"body", body}};
   std::string proven;
   if (certificate.upper.value > 0) {
     json["safe"] = safeStep(certificate.upper, subject.rule);
@@ -616,8 +617,8 @@ void writeCertificate(const Subject& subject, const InspectOptions& options, con
     json["optimistic"] = optimisticStep(certificate.lower, subject.rule);
     proven += fmt::format(", unstable above {:.10g} s", json["optimistic"].get<double>());
   }
-  result.text += fmt::format("certificate: {}, {:.3g} MB; what it proves, by {}{}\n", file,
-                             1e-6 * static_cast<double>(certificate.bytes.size()), certificate.proof, proven);
+  result.text += fmt::format("certificate: {}, {:.3g} MB; what it proves of the body {}, by {}{}\n", file,
+                             1e-6 * static_cast<double>(certificate.bytes.size()), body, certificate.proof, proven);
 }
 
 void reportHandlerChoice(const Subject& subject, double h, const CriticalStep& step, InspectResult& result) {

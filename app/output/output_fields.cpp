@@ -291,6 +291,8 @@ constexpr OutputField inspection[] = {
     {"certificate.optimistic", "s", "that it proves, where it proves an optimistic side", F::number,
      P::sometimesOrNull},
     {"certificate.bytes", "", "size of the file", F::integer},
+    {"certificate.body", "", "hash of mesh, material, masses and held components, as ringwatch-check prints it",
+     F::text},
     {"handler", "", "with --step; null where no handler goes with the integrator", F::object, P::sometimesOrNull},
     {"handler.count", "", "elements that a handler would take at that step", F::integer},
     {"handler.selection", "", "how it would choose them", F::text},

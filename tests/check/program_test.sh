@@ -18,6 +18,25 @@ expect() { # STATUS COMMAND …: ends with that status; its output in `out`
 grep -q "certificate: bar.certificate" report.txt || fail "inspect does not tell of its certificate"
 expect 0 "$checker" bar.certificate
 [[ $out == *": proven"* && $out == *"30 elements"* ]] || fail "$out"
+# Whose body it is: by the hash that inspect prints, and by law, constants, held components and extent.
+body=$(sed -n 's/certificate: .* of the body \([0-9a-f]*\), .*/\1/p' report.txt)
+[[ $out == *"hash        $body"* && $out == *"30 tet4 of stvk: lambda 17307.69231 Pa, mu 11538.46154 Pa"* &&
+   $out == *"held        in x 4 nodes, in y 4, in z 4"* && $out == *"extent      x 0 to 0.2 m, y 0 to 0.04 m"* ]] || fail "$out"
+expect 0 "$checker" --expect "$body" bar.certificate
+expect 1 "$checker" bar.certificate --expect 0123456789abcdef
+[[ $out == *"PROVEN OF ANOTHER BODY"* ]] || fail "$out"
+for hash in "" 12 "${body}0" 0123456789abcdeg; do expect 2 "$checker" --expect "$hash" bar.certificate; done
+expect 2 "$checker" --expect "$body"
+other() { # OPTION VALUE …: the hash of a body with other options
+  "$ringwatch" inspect bar.msh --young 30e3 --poisson 0.3 --density 1000 --fix "x < 1e-6" "$@" --certificate other.certificate |
+    sed -n 's/certificate: .* of the body \([0-9a-f]*\), .*/\1/p'
+}
+[[ $(other) == "$body" && $(other --exact) == "$body" ]] || fail "the hash depends on the proof"
+for change in "--young 30001" "--poisson 0.31" "--density 1001" "--model neo-hookean" "--fix z<1e-6"; do
+  # shellcheck disable=SC2086
+  other $change > /dev/null
+  expect 1 "$checker" --expect "$body" other.certificate
+done
 printf '\xff' | dd of=bar.certificate bs=1 seek=2000 conv=notrunc status=none
 expect 2 "$checker" bar.certificate
 [[ $out == *"checksum"* ]] || fail "$out"
@@ -30,7 +49,8 @@ inspect=("$ringwatch" inspect bar.msh --young 30e3 --poisson 0.3 --density 1000 
 "${inspect[@]}" --exact > report.txt
 expect 0 "$checker" exact.certificate
 proven=$(sed -n 's/.*stable up to the step 2\/sqrt(lambda) = \(.*\) s/\1/p' <<< "$out")
-grep -q "  exact       $proven to " report.txt || fail "the certificate proves $proven s: $(grep exact report.txt)"
+awk -v proven="$proven" '/^  exact/ { exit !(proven <= $2 * (1 + 1e-15) && proven > $2 * (1 - 2e-9)) }' report.txt ||
+  fail "the certificate proves $proven s: $(grep exact report.txt)"
 for share in 0.9 1.1; do
   step=$(awk -v h="$proven" -v s=$share 'BEGIN { printf "%.10g", s * h }')
   expect "$([[ $share == 0.9 ]] && echo 0 || echo 1)" "${inspect[@]}" --prove "$step"
@@ -73,8 +93,9 @@ wanted=$(for ((k = 0; k <= violated; ++k)); do
   if ((k % 3 == 0 || k >= violated - 1)); then printf 'step_%08d.certificate\n' "$k"; fi
 done)
 [[ $(ls run/certificates) == "$wanted" ]] || fail "certificates: $(ls run/certificates), not $wanted"
-grep -q "certificates ($(wc -l <<< "$wanted") files)" run/summary.json || fail "the summary does not list them"
-for file in run/certificates/*; do expect 0 "$checker" "$file"; done
+pulled=$(sed -n "s/.*certificates ($(wc -l <<< "$wanted") files, of the body \([0-9a-f]*\)).*/\1/p" run/summary.json)
+[[ -n $pulled && $pulled != "$body" ]] || fail "the summary does not list them"
+for file in run/certificates/*; do expect 0 "$checker" --expect "$pulled" "$file"; done
 # The last one proves that the step is too large: above 2/sqrt(lower).
 largest=$(sed -n 's/.*unstable above 2\/sqrt(lambda) = \(.*\) s/\1/p' <<< "$out")
 awk -v h=3.5e-3 -v most="$largest" 'BEGIN { exit !(most > 0 && h > most) }' || fail "3.5e-3 s is not above $largest s"

@@ -224,6 +224,33 @@ TEST(TamperedCertificate, IsRejectedByItsMathematicsWhateverIsChanged) {
   if (asked) std::cout << rejected << " of " << trials << " rejected whose checksum fits\n";
 }
 
+/// Where a change leaves a true statement, of another body.
+TEST(TamperedCertificate, IsOfAnotherBodyWhereItsMathematicsHolds) {
+  const Body body = smallBody();
+  const std::string bytes = makeCertificate(body, test::strained(body.mesh().X)).bytes;
+  EXPECT_EQ(check::verify(bytes).hash, certifiedBodyHash(body));
+  const Places at(bytes, body.nodeCount());
+  std::string heavier = bytes, held = bytes;
+  changeNumber(heavier, at.nodes + 48, 1 + 1e-15, 0);
+  held[at.nodes + 80] = 7;
+  for (std::size_t c = 0; c < 3; ++c) changeNumber(held, at.nodes + 56 + 8 * c, 0, 0);
+  for (const std::string& other : {heavier, test::withHeader(held, "lower", 0)}) {
+    const check::Verdict verdict = check::verify(sealed(other));
+    EXPECT_EQ(verdict.status, Status::proven) << verdict.reason;
+    EXPECT_NE(verdict.hash, certifiedBodyHash(body));
+  }
+}
+
+TEST(TamperedCertificate, IsNotProvenWhereItClaimsNothing) {
+  Body body = smallBody();
+  for (std::int32_t i = 0; i < body.nodeCount(); ++i) body.constraints().fix(i);
+  const std::string bytes =
+      makeFactoredCertificate(body, body.mesh().X, ProvenSides{{1.0}, {0}, NodeVectors(3, 0)}).bytes;
+  EXPECT_EQ(check::verify(bytes).status, Status::proven);
+  for (const double sigma : {-1.0, 0.0})
+    EXPECT_EQ(check::verify(sealed(test::withHeader(bytes, "sigma", sigma))).status, Status::notProven) << sigma;
+}
+
 TEST(TamperedCertificate, IsUnreadableWhereItIsCut) {
   const Body body = smallBody();
   const std::string bytes = makeCertificate(body, body.mesh().X).bytes;

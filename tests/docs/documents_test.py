@@ -42,6 +42,8 @@ SUBSTITUTES = {
         ("ringwatch compare examples/swinging_bar.toml --integrators symplectic-euler,verlet --out out/compare "
          "--set mesh.cells=[4,1,1] --set integrator.end=0.02", 0),
     "ringwatch verify integrators --out out/integrators": ("ringwatch verify integrators --quick --out out/integrators", 0),
+    # Of another body.
+    "ringwatch-check --expect 0123456789abcdef bar.certificate": ("ringwatch-check --expect 0123456789abcdef bar.certificate", 1),
     "ringwatch verify elements": ("true", 0),
     "ringwatch verify monitor": ("true", 0),
 }
@@ -221,6 +223,27 @@ class Documents:
             for p in self.source.glob(f"{folder}/*/*.*")}
         if there != set(rooms):
             self.fault(path, 1, f"rooms of folders: the document has {sorted(rooms)}, there are {sorted(there)}")
+        self.check_components()
+
+    def check_components(self):
+        """docs/embedding.md has every component, and in its row the headers of sources that it has of a folder with others."""
+        path, found = self.first_column("docs/embedding.md", "| component |")
+        rows = {name: next(line for line in path.read_text(encoding="utf-8").split("\n") if line.startswith(f"| `{name}` |"))
+                for name in found}
+        folders = re.findall(r"^(\w+):", (self.source / "cmake/layers.txt").read_text(encoding="utf-8"), re.M)
+        lists = {p.parent: p.read_text(encoding="utf-8") for f in folders for p in (self.source / f).glob("**/CMakeLists.txt")}
+        there = {name for text in lists.values() for name in re.findall(r"^ *ringwatch_(?:folder|library)\((\w+)", text, re.M)}
+        if there != set(found):
+            self.fault(path, 1, f"components: the document has {sorted(found)}, there are {sorted(there)}")
+        for folder, text in lists.items():
+            for variable, sources in re.findall(r"set\((of_\w+) ([^)]*)\)", text):
+                owner = re.search(rf"ringwatch_(?:folder|library)\((\w+)[^()]*\$\{{{variable}\}}", text)
+                if not owner:  # a list of app/, which is no component
+                    continue
+                for header in (folder / source.replace(".cpp", ".h") for source in sources.split()):
+                    name = header.relative_to(self.source).as_posix()
+                    if header.exists() and f"`{name}`" not in rows[owner[1]]:
+                        self.fault(path, 1, f"{name} is of the component {owner[1]}, whose row does not have it")
 
     # ---- lists
 
