@@ -20,7 +20,11 @@ inline std::vector<Criterion> integratorCriteria() {
   constexpr double rounding = 1e-14;  // of steps at numbers of order one
   const std::vector<Criterion> own{
       {"*: trace and determinant of a step, against the declared amplification", rounding, Basis::rounding},
+      {"*: components of 1100 nodes, each against one alone", rounding, Basis::rounding},
+      {"*: forces at the times of their positions: *", rounding, Basis::rounding},
+      {"*: what a step leaves: *", rounding, Basis::rounding},
       // What is left of the next order.
+      {"*: order with forces of time that are not linear", 0.01, Basis::measured},
       {"*: order", 0.017, Basis::measured},
       {"*: order with damping", 0.0045, Basis::measured},
       {"*: forces a step", 0, Basis::theory},

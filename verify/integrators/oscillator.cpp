@@ -156,15 +156,19 @@ double oscillatorError(const IntegratorFactory& make, int steps, double dampingR
   return (Eigen::Vector2d(state.x(0, 0), state.v(0, 0)) - Oscillator(1, dampingRatio).exact(1, 1, 0.5)).norm();
 }
 
-double measureOrder(const IntegratorFactory& make, double dampingRatio) {
-  double coarse = oscillatorError(make, 8, dampingRatio), order = nan;
+double orderOf(const std::function<double(int steps)>& error, double least) {
+  double coarse = error(8), order = nan;
   for (int steps = 16; steps <= 512; steps *= 2) {
-    const double fine = oscillatorError(make, steps, dampingRatio);
-    if (!(fine > 1e-11)) break;
+    const double fine = error(steps);
+    if (!(fine > least)) break;
     order = std::log2(coarse / fine);
     coarse = fine;
   }
   return order;
+}
+
+double measureOrder(const IntegratorFactory& make, double dampingRatio) {
+  return orderOf([&](int steps) { return oscillatorError(make, steps, dampingRatio); });
 }
 
 PeriodErrors periodErrors(const IntegratorFactory& make, double z) {

@@ -92,7 +92,10 @@ Eigen::MatrixXd stabilityMap(const IntegratorFactory& make, const std::vector<do
 /// Error of (omega x, v) at t = 1/omega·T, T = 1, from (1, 0.5), with n steps: Euclidean norm. Partitioned integrators
 /// get half of omega² in the stiff part.
 double oscillatorError(const IntegratorFactory& make, int steps, double dampingRatio);
-/// Order of that error: from the two finest of a ladder of halved steps whose error lies above rounding (1e-11).
+/// Order of an error by the number of steps: from the two finest of a ladder of halved steps whose error lies above
+/// `least`, which is rounding.
+double orderOf(const std::function<double(int steps)>& error, double least = 1e-11);
+/// That of oscillatorError().
 double measureOrder(const IntegratorFactory& make, double dampingRatio);
 
 /// How a principal pair of eigenvalues ρ exp(±iφ) of an undamped step differs from the exact exp(±iz), per period.
