@@ -4,6 +4,13 @@
 
 #include <ringwatch/base/host_device.h>
 
+// What is compiled from headers would prove nothing. The first four are those of GCC and Clang for all of it and its
+// parts.
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) || \
+    defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
+#error "ringwatch: -ffast-math, or a part of it, voids tests for NaN and proven bounds; compile without it"
+#endif
+
 /// The operations that a kernel may use besides + - * /, for plain floating-point numbers. `Pack` and `Dual` offer the
 /// same names, so that one kernel source serves all of them. Kernels never branch on data: they `select`.
 namespace ringwatch {

@@ -24,20 +24,19 @@ target_compile_options(ringwatch_options INTERFACE
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   target_compile_options(ringwatch_options INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Wno-uninitialized -Wno-maybe-uninitialized -Wno-restrict -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread>)
 endif()
-# -ffp-contract=fast lets the compiler fuse a*b+c; -ffast-math stays off, since it voids NaN checks and proven bounds.
-target_compile_options(ringwatch_options INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=fast -fno-math-errno>)
-
 # GCC collects its garbage, a tenth of its time, as soon as it has 128 MiB of it on any machine; most files here make less than this.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(ringwatch_options INTERFACE $<$<COMPILE_LANGUAGE:CXX>:--param=ggc-min-heapsize=524288>)  # KiB
 endif()
 
 # What all code that ends up in one program must agree on. The instruction set decides how Eigen aligns and allocates and
-# how wide a pack is, so a program that mixes two of them breaks; the same goes for sanitizers. So these flags are for
-# every file alike, and the installed package hands them on to what links it.
+# how wide a pack is, so a program that mixes two of them breaks; the same goes for sanitizers. Of templates the linker keeps
+# one instance, whoever compiled it: -ffp-contract=fast, which lets the compiler fuse a*b+c, would else give other bits
+# (base/math.h refuses -ffast-math). So these flags are for every file alike, and the installed package hands them on to what links it.
 add_library(ringwatch_abi INTERFACE)
 add_library(ringwatch::abi ALIAS ringwatch_abi)
 set_target_properties(ringwatch_abi PROPERTIES EXPORT_NAME abi)
+target_compile_options(ringwatch_abi INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=fast -fno-math-errno>)
 if(RINGWATCH_NATIVE)
   target_compile_options(ringwatch_abi INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-march=native>)
 endif()
