@@ -90,22 +90,11 @@ std::vector<Answer> ask(Ranks& ranks, std::span<const Question> questions, const
   return answers;
 }
 
-/// Every rank's values, those of rank 0 first, on all of them. Collective.
+/// Every rank's values, those of rank 0 first, on all of them. Throws as exchange(). Collective.
 template <class T>
 std::vector<T> gatherAll(Ranks& ranks, const std::vector<T>& own) {
-  static_assert(std::is_trivially_copyable_v<T>);
-  const auto size = static_cast<std::size_t>(ranks.size());
-  const int bytes = static_cast<int>(own.size() * sizeof(T));
-  std::vector<int> counts(size), starts(size);
-  MPI_Allgather(&bytes, 1, MPI_INT, counts.data(), 1, MPI_INT, ranks.communicator());
-  std::size_t total = 0;
-  for (std::size_t r = 0; r < size; ++r) {
-    starts[r] = static_cast<int>(total);
-    total += static_cast<std::size_t>(counts[r]);
-  }
-  std::vector<T> all(total / sizeof(T));
-  MPI_Allgatherv(own.data(), bytes, MPI_BYTE, all.data(), counts.data(), starts.data(), MPI_BYTE, ranks.communicator());
-  return all;
+  std::vector<std::vector<T>> to(static_cast<std::size_t>(ranks.size()), own);
+  return exchange(ranks, to).values;
 }
 
 /// The sum of the numbers of the ranks before this one. Collective.
