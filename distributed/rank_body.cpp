@@ -9,7 +9,9 @@
 namespace ringwatch {
 
 RankBody::RankBody(const Body& whole, const Partition& partition, int rank, int threads)
-    : mostNodes_(whole.mostNodesOfAnElement()), roundingEnergy_(ringwatch::roundingEnergy(whole)) {
+    : mostNodes_(whole.mostNodesOfAnElement()),
+      roundingEnergy_(ringwatch::roundingEnergy(whole)),
+      meanElementVolume_(whole.volume() / static_cast<double>(whole.elementCount())) {
   if (whole.discreteForces()) throw InputError("springs and contact are not distributed over ranks");
   if (whole.elementDamping()) throw InputError("elements that damp are not distributed over ranks");
   if (partition.ofNode.size() != static_cast<std::size_t>(whole.nodeCount()))
@@ -74,6 +76,13 @@ RankBody::RankBody(const Body& whole, const Partition& partition, int rank, int 
         body_->constraints().move(i, c, whole.constraints().velocity()(c, node));
     body_->externalForce().col(i) = whole.externalForce().col(node);
   }
+}
+
+std::optional<ElementRef> RankBody::localElement(ElementRef global) const {
+  const std::vector<std::int32_t>& held = globalElements_[global.block];
+  const auto found = std::lower_bound(held.begin(), held.end(), global.element);
+  if (found == held.end() || *found != global.element) return {};
+  return ElementRef(global.block, found - held.begin());
 }
 
 void RankBody::nameElementsBy(const std::vector<std::vector<std::int32_t>>& numbers) {

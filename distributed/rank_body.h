@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <ringwatch/body/body.h>
@@ -40,6 +41,10 @@ class RankBody {
   const std::vector<std::int32_t>& globalNodes() const { return globalNodes_; }
   /// The element in the whole.
   ElementRef globalElement(ElementRef e) const { return {e.block, globalElements_[e.block][e.element]}; }
+  /// The element here that has that number in the whole; nothing where it is not of this part.
+  std::optional<ElementRef> localElement(ElementRef global) const;
+  /// Mean volume of the elements of the whole, m³; 0 where no rank has had the whole.
+  double meanElementVolume() const { return meanElementVolume_; }
   /// The whole is some elements of a larger body, whose numbers there are given by block, ascending: elements are named
   /// by them from here on.
   void nameElementsBy(const std::vector<std::vector<std::int32_t>>& numbers);
@@ -61,7 +66,7 @@ class RankBody {
   std::unique_ptr<Body> body_;  // blocks refer to the mesh's arrays
   std::int32_t owned_ = 0;
   int mostNodes_ = 0;
-  double roundingEnergy_ = 0;
+  double roundingEnergy_ = 0, meanElementVolume_ = 0;
   std::vector<std::int32_t> globalNodes_;
   std::vector<std::vector<std::int32_t>> globalElements_;  // [block], ascending
   std::vector<Neighbour> neighbours_;

@@ -125,10 +125,20 @@ void RankMonitor::nameControlling(double bound) {
   controlling_ = ranks_.first(highest).value_or(ElementRef());
 }
 
-void RankMonitor::present(MonitorEvent event) {
+void RankMonitor::present(MonitorEvent event, NodeVectorsView x) {
   if (!tracker_.isNew(event.kind)) return;
   event.step = report_.step;
   event.time = report_.time;
+  if (event.element) {
+    const std::optional<ElementRef> local = part_.localElement(*event.element);
+    const int holder = ranks_.firstWhere(local.has_value());
+    ElementCause cause;
+    if (ranks_.rank() == holder) cause = elementCause(part_.body(), x, *local, part_.meanElementVolume());
+    if (holder < ranks_.size()) {
+      ranks_.share(&cause, sizeof cause, holder);
+      event.cause = cause;
+    }
+  }
   report_.newEvents.push_back(tracker_.begin(event));
 }
 
@@ -163,7 +173,7 @@ const MonitorReport& RankMonitor::observe(std::int64_t step, double time, NodeVe
   finite_ = told[notFinite] == 0;
   report_.fresh = due && finite_;
   if (!finite_) {
-    present({.kind = EventKind::nonFinite});
+    present({.kind = EventKind::nonFinite}, x);
     started_ = false;
     unknown_ = true;
     report_.bracket.reset();
@@ -221,13 +231,13 @@ const MonitorReport& RankMonitor::observe(std::int64_t step, double time, NodeVe
       std::optional<ElementRef> least;
       if (certificate_.statistics().leastDeterminant == -told[inverted])
         least = part_.globalElement(certificate_.statistics().leastDeterminantElement);
-      present({.kind = EventKind::inverted, .value = -told[inverted], .element = ranks_.first(least)});
+      present({.kind = EventKind::inverted, .value = -told[inverted], .element = ranks_.first(least)}, x);
     } else {
       tracker_.absent(EventKind::inverted, step);
     }
   }
   if (unknown_)
-    present({.kind = EventKind::nonFinite, .tangent = true});
+    present({.kind = EventKind::nonFinite, .tangent = true}, x);
   else
     tracker_.absent(EventKind::nonFinite, step);
   report_.verdict = unknown_                       ? Verdict::violated
@@ -238,7 +248,8 @@ const MonitorReport& RankMonitor::observe(std::int64_t step, double time, NodeVe
     present({.kind = EventKind::violated,
              .value = *h / report_.bracket->optimistic,
              .h = *h,
-             .element = report_.bracket->controlling});
+             .element = report_.bracket->controlling},
+            x);
   else
     tracker_.absent(EventKind::violated, step);
   return report_;
@@ -246,7 +257,7 @@ const MonitorReport& RankMonitor::observe(std::int64_t step, double time, NodeVe
 
 const MonitorReport& RankMonitor::observeEnergies(const Energies& energies) {
   if (const auto share = energies_.observe(energies, report_.step, options_.energyTolerance))
-    present({.kind = EventKind::energyBalance, .value = *share});
+    present({.kind = EventKind::energyBalance, .value = *share}, NodeVectorsView(nullptr, 0));
   else
     tracker_.absent(EventKind::energyBalance, report_.step);
   return report_;

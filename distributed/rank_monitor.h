@@ -106,7 +106,8 @@ class RankMonitor final : private RestOfBody {
   void setBracket();
   /// The bracket with that safe side, s.
   CriticalStep bracketOf(double safe) const;
-  void present(MonitorEvent event);
+  /// Reports an event when it begins; step, time and cause, which a rank that has the element finds, are filled in.
+  void present(MonitorEvent event, NodeVectorsView x);
 
   Ranks& ranks_;
   Halo& halo_;

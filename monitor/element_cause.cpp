@@ -31,6 +31,10 @@ bool ElementCause::badlyShaped() const {
 }
 
 ElementCause elementCause(const Body& body, NodeVectorsView x, ElementRef element) {
+  return elementCause(body, x, element, body.volume() / static_cast<double>(body.mesh().elementCount()));
+}
+
+ElementCause elementCause(const Body& body, NodeVectorsView x, ElementRef element, double meanVolume) {
   const Mesh& mesh = body.mesh();
   const NodeVectors& X = mesh.X;
   const std::size_t b = element.block;
@@ -50,7 +54,6 @@ ElementCause elementCause(const Body& body, NodeVectorsView x, ElementRef elemen
     cause.largestStretch = std::max(cause.largestStretch, stretches[0]);
     cause.leastStretch = std::min(cause.leastStretch, stretches[2]);
   }
-  const double meanVolume = body.volume() / static_cast<double>(mesh.elementCount());
   cause.shape = elementShape(mesh.blocks[b], element.element, X, meanVolume);
   return cause;
 }
