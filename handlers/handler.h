@@ -49,8 +49,9 @@ struct HandlerInfo {
   bool addsMass = false;                                         ///< to the body, for good
   bool takesMassDamping = false, takesStiffnessDamping = false;  ///< HandlerOptions::damping
   bool relaxes = false;  ///< positions, in passes each of which carries stress over one element
-  /// Where its steps can be taken on a GPU: gives options that are not given the defaults they have there, and says why
-  /// the others cannot go there, "" when they can. nullptr: they cannot be taken there.
+  /// Where its steps can be taken on a GPU, which has them of the library's own handlers alone: gives options that are
+  /// not given the defaults they have there, and says why the others cannot go there, "" when they can. nullptr: they
+  /// cannot be taken there.
   std::string (*forGpu)(Options& own) = nullptr;
   /// The margin that a law needs where none is given; nullptr: defaultMargin for all.
   double (*marginOfLaw)(std::string_view law) = nullptr;

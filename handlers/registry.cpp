@@ -1,6 +1,7 @@
 #include <array>
 #include <string>
 
+#include <ringwatch/base/error.h>
 #include <ringwatch/base/registry.h>
 #include <ringwatch/handlers/fe_pbd/fe_pbd.h>
 #include <ringwatch/handlers/imex/imex.h>
@@ -25,7 +26,13 @@ Registry<HandlerEntry>& registry() {
 }  // namespace
 
 std::span<const HandlerEntry> allHandlers() { return registry().all(); }
-void registerHandler(const HandlerEntry& entry) { registry().add(entry); }
+void registerHandler(const HandlerEntry& entry) {
+  if (entry.info->forGpu)
+    throw InputError(
+        joinText("handler \"", entry.info->name,
+                 "\": has forGpu, but a GPU takes the steps of the library's own handlers alone; leave it out"));
+  registry().add(entry);
+}
 
 const HandlerInfo* findHandler(std::string_view name) {
   for (const HandlerEntry& entry : allHandlers())
