@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <ringwatch/body/element_energy.h>
+#include <ringwatch/monitor/mean_rate.h>
 
 namespace ringwatch {
 
@@ -53,7 +54,7 @@ void RankEnergyBalance::record(const NodeVectors& x, const NodeVectors& internal
     for (std::int32_t i = 0; i < owned; ++i)
       for (int c = 0; c < 3; ++c)
         if (constraints.isConstrained(i, c) && constraints.velocity()(c, i) != 0)
-          work_[i] = std::fma(0.5 * (lastForce_(c, i) + internalForce(c, i)), x(c, i) - lastX_(c, i), work_[i]);
+          work_[i] = std::fma(meanRate(lastForce_(c, i), internalForce(c, i)), x(c, i) - lastX_(c, i), work_[i]);
   }
   if (!moving_) return;
   lastX_ = x.leftCols(owned);
@@ -63,13 +64,13 @@ void RankEnergyBalance::record(const NodeVectors& x, const NodeVectors& internal
 void RankEnergyBalance::recordDamping(double time, const NodeVectors& v, const NodeVectors& dampingForce) {
   const std::int32_t owned = part_.ownedNodes();
   Eigen::VectorXd power(owned), atSupports(owned);
-  const double half = dampedAt_ ? 0.5 * (time - *dampedAt_) : 0;
+  const double passed = dampedAt_ ? time - *dampedAt_ : 0;
   for (std::int32_t i = 0; i < owned; ++i) {
     power[i] = dot(dampingForce.col(i), v.col(i));
     atSupports[i] = dot(dampingForce.col(i), part_.body().constraints().velocity().col(i));
     if (!dampedAt_) continue;
-    dissipated_[i] = std::fma(half, dampingPower_[i] + power[i], dissipated_[i]);
-    work_[i] = std::fma(half, supportPower_[i] + atSupports[i], work_[i]);
+    dissipated_[i] = std::fma(passed, meanRate(dampingPower_[i], power[i]), dissipated_[i]);
+    work_[i] = std::fma(passed, meanRate(supportPower_[i], atSupports[i]), work_[i]);
   }
   dampedAt_ = time;
   dampingPower_ = std::move(power);
@@ -97,8 +98,8 @@ Energies RankEnergyBalance::energies(const NodeVectors& x, const NodeVectors& v)
   e.externalWork = sums[external].value();
   e.dissipated = sums[dissipated].value();
   const double total = e.kinetic + e.strain + e.dissipated - e.externalWork;
-  if (!reference_) reference_ = total;
-  e.balanceError = total - *reference_;
+  if (!reference_ && std::isfinite(total)) reference_ = total;
+  e.balanceError = total - reference_.value_or(0);
   return e;
 }
 

@@ -1,9 +1,12 @@
 #include <ringwatch/monitor/energy_balance.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <Eigen/Geometry>
+
+#include <ringwatch/monitor/mean_rate.h>
 
 namespace ringwatch {
 
@@ -44,7 +47,7 @@ void EnergyBalance::record(const NodeVectors& x, const NodeVectors& internalForc
     for (std::size_t k = 0; k < supported_.size(); ++k) {
       const std::int64_t i = constraints.components()[k];
       if (constraints.velocity().data()[i] != 0)
-        prescribedWork_ += 0.5 * (supported_[k].force + internalForce.data()[i]) * (x.data()[i] - supported_[k].x);
+        prescribedWork_ += meanRate(supported_[k].force, internalForce.data()[i]) * (x.data()[i] - supported_[k].x);
     }
   }
   if (!constraints.moving()) return;
@@ -73,11 +76,12 @@ void EnergyBalance::recordGuided(const NodeVectors& x, const NodeVectors& intern
     if (r >= before.size()) continue;
     const Guided& last = before[r];
     for (std::size_t c = 0; c < 3; ++c)
-      if (guide.components[c]) prescribedWork_ += 0.5 * (last.force[c] + own.force[c]) * (own.point[c] - last.point[c]);
+      if (guide.components[c])
+        prescribedWork_ += meanRate(last.force[c], own.force[c]) * (own.point[c] - last.point[c]);
     if (guide.turning != RigidGuide::Turning::prescribed) continue;
     const Eigen::AngleAxisd turned(Matrix3d(rotation * Matrix3d::Map(last.rotation.data()).transpose()));
-    prescribedWork_ +=
-        0.5 * turned.angle() * turned.axis().dot(Vector3d::Map(last.torque.data()) + Vector3d::Map(own.torque.data()));
+    prescribedWork_ += turned.angle() * meanRate(turned.axis().dot(Vector3d::Map(last.torque.data())),
+                                                 turned.axis().dot(Vector3d::Map(own.torque.data())));
   }
 }
 
@@ -94,18 +98,19 @@ void EnergyBalance::recordDamping(double time, const NodeVectors& x, const NodeV
     }
   }
   if (damping_) {
-    const double half = 0.5 * (time - damping_->time);
-    dissipated_ += half * (damping_->all + now.all);
-    prescribedWork_ += half * (damping_->atSupports + now.atSupports);
+    const double passed = time - damping_->time;
+    dissipated_ += passed * meanRate(damping_->all, now.all);
+    prescribedWork_ += passed * meanRate(damping_->atSupports, now.atSupports);
   }
   damping_ = now;
 }
 
 void EnergyBalance::recordObstacles(double time, const DiscreteForces::ObstaclePower& power) {
   if (obstacles_) {
-    const double half = 0.5 * (time - obstacles_->time), damping = obstacles_->power.damping + power.damping;
-    dissipated_ += half * damping;
-    prescribedWork_ += half * (obstacles_->power.elastic + power.elastic + damping);
+    const double passed = time - obstacles_->time,
+                 damping = passed * meanRate(obstacles_->power.damping, power.damping);
+    dissipated_ += damping;
+    prescribedWork_ += damping + passed * meanRate(obstacles_->power.elastic, power.elastic);
   }
   obstacles_ = {time, power};
 }
@@ -116,7 +121,7 @@ Energies EnergyBalance::energies(const NodeVectors& x, const NodeVectors& v, dou
                 const Eigen::VectorXd squares = v.middleCols(begin, end - begin).colwise().squaredNorm();
                 return squares.dot(body_.lumpedMass().segment(begin, end - begin));
               });
-  e.strain = strainEnergy;
+  e.strain = strainEnergy;  // may be no number, as long as elements are inverted
   const NodeVectors& load = body_.externalForce();
   e.externalWork = prescribedWork_ + parallelSum(x.cols(), body_.threads(), [&](Eigen::Index begin, Eigen::Index end) {
                      const auto part = nodes(load, begin, end);
@@ -127,11 +132,12 @@ Energies EnergyBalance::energies(const NodeVectors& x, const NodeVectors& v, dou
   for (const std::int64_t i : body_.constraints().components())
     if (load.data()[i] != 0) e.externalWork -= load.data()[i] * (x.data()[i] - firstX_.data()[i]);
   e.dissipated = dissipated_;
-  if (!hasReference_) {
-    referenceEnergy_ = e.kinetic + e.strain + e.dissipated - e.externalWork;
+  const double total = e.kinetic + e.strain + e.dissipated - e.externalWork;
+  if (!hasReference_ && std::isfinite(total)) {
+    referenceEnergy_ = total;
     hasReference_ = true;
   }
-  e.balanceError = e.kinetic + e.strain + e.dissipated - e.externalWork - referenceEnergy_;
+  e.balanceError = total - referenceEnergy_;
   return e;
 }
 

@@ -3,12 +3,11 @@
 namespace ringwatch {
 
 void EnergyRunaway::check(const Energies& energies, std::int64_t step, double time) {
-  if (!moment_)
-    largest_ = std::max({largest_, energies.kinetic + std::abs(energies.strain), std::abs(energies.externalWork)});
+  const double measure = scale_.add(energies);
   // Schemes whose velocities are half a step behind are off by 1/(n + 1) of the energy at step n of a run that starts
   // under load.
   const double share = std::max(runawayShare, 1.5 / static_cast<double>(step + 1));
-  const bool off = !(std::abs(energies.balanceError) <= share * largest_);
+  const bool off = !(std::abs(energies.balanceError) <= share * measure);
   if (!off)
     moment_.reset();
   else if (!moment_)
@@ -16,15 +15,13 @@ void EnergyRunaway::check(const Energies& energies, std::int64_t step, double ti
 }
 
 nlohmann::ordered_json EnergyRunaway::save() const {
-  return {{"largest", largest_},
-          {"scale", scale_},
+  return {{"scale", scale_.largest()},
           {"step", moment_ ? nlohmann::ordered_json(moment_->step) : nlohmann::ordered_json(nullptr)},
           {"time", moment_ ? moment_->time : 0}};
 }
 
 void EnergyRunaway::resume(const nlohmann::ordered_json& saved) {
-  largest_ = saved.at("largest").get<double>();
-  scale_ = saved.at("scale").get<double>();
+  scale_.raise(saved.at("scale").get<double>());
   if (!saved.at("step").is_null()) moment_ = {saved.at("step").get<std::int64_t>(), saved.at("time").get<double>()};
 }
 

@@ -7,30 +7,26 @@
 #include <nlohmann/json.hpp>
 
 #include <ringwatch/app/run/run_result.h>
-#include <ringwatch/monitor/energy_balance.h>
+#include <ringwatch/monitor/energy_check.h>
 
 namespace ringwatch {
 
 /// Whether and when the energy of a run ran away.
 class EnergyRunaway {
  public:
-  /// largest: an energy, J, below which none is a measure (roundingEnergy).
-  explicit EnergyRunaway(double largest) : largest_(largest) {}
+  /// least: an energy, J, below which none is a measure (roundingEnergy).
+  explicit EnergyRunaway(double least) : scale_(least) {}
 
   /// Energies, J, below that are no measure of the balance.
-  void setScale(double energy) {
-    scale_ = energy;
-    largest_ = std::max(largest_, energy);
-  }
-  /// Energies for a monitor's check: an error within the tolerance, a share of the largest energy so far, is none.
+  void setScale(double energy) { scale_.raise(energy); }
+  /// Energies for a monitor's check: an error within the tolerance, a share of the run's measure, is none.
   Energies forgiven(Energies energies, double tolerance) const {
-    // The largest energy of the run, which outlives a monitor.
-    if (std::abs(energies.balanceError) <= tolerance * largest_) energies.balanceError = 0;
+    // The measure of the run outlives a monitor.
+    if (std::abs(energies.balanceError) <= tolerance * scale_.of(energies)) energies.balanceError = 0;
     return energies;
   }
   /// Checks the energies before step number `step`. The energy ran away where the balance error passes its bound and
-  /// stays above it to the end of the run. From there on the largest energy stays what it was: the runaway must not
-  /// become its own measure.
+  /// stays above it to the end of the run.
   void check(const Energies& energies, std::int64_t step, double time);
   /// The moment, as far as is known; empty where it did not.
   const std::optional<RunResult::Moment>& moment() const { return moment_; }
@@ -40,12 +36,11 @@ class EnergyRunaway {
   void resume(const nlohmann::ordered_json& saved);
   template <class Archive>
   void archive(Archive& a) {
-    a(largest_, scale_, moment_);
+    a(scale_, moment_);
   }
 
  private:
-  double largest_;    // J, so far
-  double scale_ = 0;  // J
+  EnergyScale scale_;
   std::optional<RunResult::Moment> moment_;
 };
 

@@ -1,5 +1,7 @@
 #include <ringwatch/app/run/run_energies.h>
 
+#include <cmath>
+
 namespace ringwatch {
 
 RunEnergies::RunEnergies(const Scene& scene, const Body& body)
@@ -24,10 +26,12 @@ void RunEnergies::record(const State& state, const StepEvaluation& evaluation, B
   last_->externalWork += before_.externalWork + ownWork_;
   last_->dissipated += before_.dissipated + byHandler_;
   last_->balanceError += before_.balanceError - ownWork_ + byHandler_;
+  if (std::isfinite(last_->balanceError)) lastError_ = last_->balanceError;
 }
 
 void RunEnergies::beginBody() {
   if (last_) before_ = *last_;
+  before_.balanceError = lastError_;
   last_.reset();
   ownWork_ = byHandler_ = 0;
   balance_.emplace(body_);
@@ -39,6 +43,7 @@ nlohmann::ordered_json RunEnergies::save() const {
 
 void RunEnergies::resume(const nlohmann::ordered_json& saved) {
   before_ = energiesOfJson(saved.at("before"));
+  lastError_ = before_.balanceError;
   runaway_.resume(saved.at("runaway"));
 }
 

@@ -42,7 +42,7 @@ class RunEnergies {
   void resume(const nlohmann::ordered_json& saved);
   template <class Archive>
   void archive(Archive& a) {
-    a(*balance_, before_, ownWork_, last_, runaway_);
+    a(*balance_, before_, ownWork_, last_, lastError_, runaway_);
   }
   /// The energies at the state recorded last, all bodies together; empty unless a row was due.
   const std::optional<Energies>& last() const { return last_; }
@@ -70,6 +70,7 @@ class RunEnergies {
   Energies before_;                     // what the bodies before have come to
   double ownWork_ = 0, byHandler_ = 0;  // J, of the body now
   std::optional<Energies> last_;
+  double lastError_ = 0;  // J, of the balance, the last one that was a number
   NodeVectors dampingForce_;
   EnergyRunaway runaway_;
 };

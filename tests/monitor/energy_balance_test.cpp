@@ -1,12 +1,15 @@
 // The energy balance of a run: what is put in is what is there, to the order of the scheme.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
+#include <limits>
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/integrators/stormer_verlet.h>
 #include <ringwatch/monitor/energy_balance.h>
+#include <ringwatch/monitor/energy_check.h>
 #include <ringwatch/monitor/stability_monitor.h>
 #include <tests/monitor/monitor_cases.h>
 
@@ -111,6 +114,60 @@ TEST_P(EnergyBalanceTest, OfAFallingBodyIsThatOfAPointMass) {
   EXPECT_NEAR(result.last.externalWork, expected, 1e-10 * expected);
   EXPECT_LE(result.last.strain, 1e-10 * expected);
   EXPECT_LE(result.worst, 1e-10 * expected);
+}
+
+// By hand: a body of a joule, one state of 296 kJ that comes from nowhere, and 5228 J too much from then on.
+TEST(EnergyCheck, AnErrorIsNoMeasureOfWhatFollows) {
+  EnergyCheck check(1e-20);
+  for (int step = 0; step < 60; ++step) {
+    const double swing = std::sin(0.3 * step), kinetic = swing * swing, strain = 1 - kinetic;
+    const double error = step < 30 ? 0.01 * swing : step == 30 ? 296e3 : 5228;
+    const auto share = check.observe({kinetic + error, strain, 0, error}, step, 0.1);
+    EXPECT_EQ(share.has_value(), step >= 30) << step;
+    EXPECT_NEAR(share.value_or(0), step >= 30 ? error : 0, 1e-6 * error) << step;
+  }
+}
+
+// What was there or was put in stays a measure when it is gone: a body at rest at last, a swing that turns, a load.
+TEST(EnergyCheck, EnergiesThatBothSidesHaveStayAMeasure) {
+  EnergyCheck braked(1e-20), swinging(1e-20), pulled(1e-20);
+  for (int step = 0; step < 400; ++step) {
+    const double left = 100 * std::exp(-0.1 * step), lost = 100 - left;
+    EXPECT_FALSE(braked.observe({left, 0, 0, 0.02 * lost, lost + 0.02 * lost}, step, 0.1)) << step;
+    const double work = 5 * (1 - std::cos(0.1 * step));
+    EXPECT_FALSE(swinging.observe({work + 0.3, 0, work, 0.3}, step, 0.1)) << step;
+    const auto share = pulled.observe({0, 0.01 * step * step, 0.013 * step * step, -0.003 * step * step}, step, 0.1);
+    EXPECT_EQ(share.has_value(), step >= 20) << step;
+  }
+}
+
+TEST(EnergyCheck, AStateWithoutAnEnergyIsOffAndLeavesNothingBehind) {
+  EnergyCheck check(1e-20);
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  for (int step = 0; step < 60; ++step) {
+    const bool inverted = step == 40;
+    const auto share = check.observe({1, inverted ? none : 2, 0, inverted ? none : 0.05}, step, 0.1);
+    EXPECT_EQ(share.has_value(), inverted) << step;
+  }
+}
+
+// The trapezoidal rule over a force that is 2 N at each moved component, but no number at one state.
+TEST(EnergyBalance, SumsOnlyNumbers) {
+  Body body = test::boxBody(test::allSubdivisions()[0], "neo-hookean", {1, 1, 1}, 0);
+  body.constraints().move(0, 0, 1.0);
+  EnergyBalance balance(body);
+  NodeVectors x = body.mesh().X;
+  const NodeVectors force = NodeVectors::Constant(3, x.cols(), 2.0),
+                    none = NodeVectors::Constant(3, x.cols(), std::nan(""));
+  const NodeVectors v = NodeVectors::Zero(3, x.cols());
+  for (int step = 0; step <= 4; ++step) {
+    if (step > 0) x(0, 0) += 0.25;
+    balance.record(x, step == 2 ? none : force);
+    balance.energies(x, v, step == 2 ? std::nan("") : 0.0);
+  }
+  const Energies last = balance.energies(x, v, 0);
+  EXPECT_NEAR(last.externalWork, 2 * 4 * 0.25, 1e-15);
+  EXPECT_NEAR(last.balanceError, -2, 1e-15);
 }
 
 TEST_P(EnergyBalanceTest, SeesWhatComesFromNowhere) {
