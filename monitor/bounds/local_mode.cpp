@@ -71,6 +71,8 @@ void LocalMode::choose(const NodeVectors& mode, std::size_t nodes) {
   nodes_.clear();
   vector_.resize(3, 0);
   region_ = grow(mode);
+  // A node without elements, which springs and contact alone hold, has none to be named and no ring.
+  if (incidences_.elementsAt(region_).empty()) region_.clear();
   if (region_.empty()) return;
   makePart(region_);
   vector_ = mode(Eigen::all, nodes_);

@@ -6,6 +6,7 @@
 #include <ringwatch/base/archive.h>
 #include <ringwatch/body/body.h>
 #include <ringwatch/monitor/bounds.h>
+#include <ringwatch/monitor/bounds/first_element.h>
 #include <ringwatch/monitor/bounds/nodal_bound.h>
 
 namespace ringwatch {
@@ -21,10 +22,11 @@ class LocalMode {
   /// `incidences` knows the elements at each node. Every `gap`-th evaluation improves the mode by Lanczos with
   /// `products` tangent products, the first one in a region with three times as many; the others take one.
   LocalMode(const Body& body, const NodalBound& incidences, int products, int gap)
-      : body_(body), incidences_(incidences), products_(products), gap_(gap) {}
+      : body_(body), incidences_(incidences), products_(products), gap_(gap), highest_(firstElement(body)) {}
 
   /// Chooses a region of at most `nodes` nodes around the largest entry of `mode` (3×N, mass-scaled coordinates), and
-  /// starts from the mode there. A mode without an entry above zero has no region, nor has an empty one.
+  /// starts from the mode there. A mode without an entry above zero has no region, nor has an empty one,
+  /// nor one that is largest at a node without elements.
   void choose(const NodeVectors& mode, std::size_t nodes);
   /// The bound at positions x (3×N, m); 0 without a region, NaN where the tangent is not finite, after which a mode has
   /// to be chosen again. Masses and constraints are those of now.

@@ -2,6 +2,7 @@
 
 #include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
+#include <ringwatch/monitor/bounds/first_element.h>
 #include <ringwatch/monitor/bounds/scaled_tangent.h>
 #include <ringwatch/monitor/small/extreme_eigenvalues.h>
 
@@ -13,6 +14,7 @@ const ReducedRing::Result& ReducedRing::evaluate(NodeVectorsView x, bool wantLow
     if (source_.constraints().freeComponents(i) == 0 || source_.constraints().isTied(i)) rounding[i] = 0;
   result_.largest.resize(source_.tangents().size());
   result_.highest = result_.lowest = 0;
+  result_.highestElement = result_.lowestElement = firstElement(source_);
   scale_ = NodeVectors(3, source_.nodeCount());
   for (std::int32_t i = 0; i < source_.nodeCount(); ++i)
     for (int c = 0; c < 3; ++c) scale_(c, i) = cutFactor(source_, i, c) / std::sqrt(source_.lumpedMass()[i]);
@@ -80,6 +82,8 @@ const ReducedRing::Result& ReducedRing::evaluate(NodeVectorsView x, bool wantLow
 }
 
 NodeVectors ReducedRing::topVector(ElementRef ref) const {
+  NodeVectors v = NodeVectors::Zero(3, source_.nodeCount());
+  if (source_.elementCount() == 0) return v;
   const ElementTangents& block = *source_.tangents()[ref.block];
   const int n = block.nodesPerElement();
   const std::int32_t* position =
@@ -92,7 +96,6 @@ NodeVectors ReducedRing::topVector(ElementRef ref) const {
   for (int i = 0; i < n; ++i) factor.segment<3>(3 * i) = scale_.col(nodes[i]);
   A = factor.asDiagonal() * A * factor.asDiagonal();
   Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(A);
-  NodeVectors v = NodeVectors::Zero(3, source_.nodeCount());
   if (solver.info() != Eigen::Success) return v;
   for (int i = 0; i < n; ++i) v.col(nodes[i]) = solver.eigenvectors().col(3 * n - 1).segment<3>(3 * i);
   return v;

@@ -157,10 +157,13 @@ IncrementalNodalBound::Outcome IncrementalNodalBound::mend(NodeVectorsView x, bo
     if (state_.value(near->element) <= state_.allowance(near->element)) continue;  // a neighbour's update served it
     if (!update(near->element)) raised.push_back(near->element);
   }
-  // Elements at a node make room for what its discrete forces have come to.
+  // Elements at a node make room for what its discrete forces have come to, where there are any.
   std::vector<std::int32_t> raisedNodes;
-  for (const std::int32_t node : exceeding)
-    if (state_.exceeds(node) && !update(state_.weights().elementsAt({&node, 1}).front())) raisedNodes.push_back(node);
+  for (const std::int32_t node : exceeding) {
+    if (!state_.exceeds(node)) continue;
+    const std::vector<ElementRef> elements = state_.weights().elementsAt({&node, 1});
+    if (elements.empty() || !update(elements.front())) raisedNodes.push_back(node);
+  }
   state_.raiseToValues(raised, policy_.raisedSlack * policy_.slack);
   std::erase_if(raisedNodes, [&](std::int32_t node) { return !state_.exceeds(node); });
   state_.raiseForNodes(raisedNodes, policy_.raisedSlack * policy_.slack);
