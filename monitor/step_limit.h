@@ -72,7 +72,9 @@ struct CriticalStep {
   ElementRef controlling;   // the element that holds most of the top mode, as far as it is known
   std::string_view safeBy;  // how the sides were obtained
   std::string_view optimisticBy;
-  double lowestRing;  // least eigenvalue seen, of a reduced 1-ring or a direction, rad²/s²; < 0 proves K indefinite
+  /// Least eigenvalue seen at this state, of a reduced 1-ring or a direction, rad²/s²; < 0 proves K indefinite, 0: none
+  /// was looked for, or none below.
+  double lowestRing;
   ElementRef lowestRingElement;            // where that is < 0
   std::optional<ProbableStep> probable{};  // when asked for; never part of the proven bracket
   /// Elements whose values are rounded up by more than a thousandth, how many and the worst: their shapes or states

@@ -148,8 +148,8 @@ const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const S
                        local_.highestElement(),
                        upper.value < nodal.value ? "incremental-exchange-bound" : "incremental-nodal-bound",
                        method_,
-                       lowest_.value,
-                       lowest_.element};
+                       lowestHere_.value,
+                       lowestHere_.element};
   step_->discreteShare = local_.discreteShare();
   nodal_.noteFrom(lower);
   if (!step_->isBracket()) step_.reset();
@@ -301,6 +301,7 @@ void RunBracket::forget() {
 }
 
 void RunBracket::searchUnderCompression(NodeVectorsView x) {
+  lowestHere_ = {0, {}};
   const double compression = nodal_.mostCompression();
   search_.tick();
   const double growth = account_.limited() ? policy_.growthInShortage : policy_.growthOfCompression;
@@ -313,6 +314,7 @@ void RunBracket::searchUnderCompression(NodeVectorsView x) {
     const int products = wide ? policy_.firstSearch : later;
     charge(WorkOn::searches, WorkAccount::ofProducts(body_, products + 1));
     least_ = softest_.find(x, products);
+    if (least_.value < 0) lowestHere_ = {least_.value, least_.element};
     search_.tried(grown);
     searchedAt_ = grown ? compression : std::max(searchedAt_, compression);
   } else if (!(compression > policy_.slightlyCompressed)) {
@@ -340,6 +342,7 @@ void RunBracket::searchUnderCompression(NodeVectorsView x) {
     const double least = solver_.eigenvalues()[0] + constrainedRounding * solver_.eigenvalues().cwiseAbs().maxCoeff() +
                          ringNodes_.rounding();
     if (least < lowest_.value) lowest_ = {least, e};
+    if (least < lowestHere_.value) lowestHere_ = {least, e};
   }
 }
 

@@ -230,7 +230,7 @@ class RunBracket {
   bool searchesNext_ = true;  // where means are short: the mode is searched, else followed
   // In evaluations: of the whole mode, restarts from all rings, searches for a negative direction, compressed rings.
   Backoff wholeMode_, restart_, search_, examination_;
-  LowestRing lowest_{0, {}};
+  LowestRing lowest_{0, {}}, lowestHere_{0, {}};  // lowestHere_: of what was evaluated at the very state
   std::size_t nextCompressed_ = 0;
   LowestMode least_;                         // what the last search for a negative direction proved
   double searchedAt_ = 0;                    // the compression then
