@@ -81,8 +81,6 @@ Body::Body(const Body& whole, const std::vector<std::vector<bool>>& chosen)
       externalForce_(whole.externalForce_) {
   if (whole.discreteForces() && !whole.discreteForces()->nodes().empty())
     throw InputError("chosen elements: a body with springs or contact cannot be taken apart into its elements");
-  if (whole.elementDamping())
-    throw InputError("chosen elements: a body whose elements damp cannot be taken apart into its elements");
   const Mesh& all = whole.mesh_;
   bool fits = chosen.size() == all.blocks.size();
   for (std::size_t b = 0; fits && b < chosen.size(); ++b) fits = chosen[b].size() == all.blocks[b].elementCount();
@@ -124,6 +122,12 @@ Body::Body(const Body& whole, const std::vector<std::vector<bool>>& chosen)
   }
   wrapRigidBlocks();
   setElements(tangentsOfBlocks(), whole.lumpedMass());
+  if (!whole.damping_) return;
+  std::vector<DampingConstants> ofBlocks;
+  for (const DampedBlock* block : whole.damping_->blocks())
+    ofBlocks.push_back(block ? block->constants() : DampingConstants{});
+  setElementDamping(ofBlocks);
+  damping_->setFactor(whole.damping_->factor());
 }
 
 void Body::tie(std::string name, std::vector<std::int32_t> nodes, RigidGuide guide) {

@@ -92,9 +92,9 @@ class Body : public TangentSource {
   /// Makes a body of blocks made elsewhere, one for each of the mesh, with the lumped mass of each node, kg.
   Body(Mesh mesh, std::vector<std::unique_ptr<ElementBlock>> blocks, Eigen::VectorXd lumpedMass, int threads = 0);
   /// Some elements of another body, chosen[block][element], on all of its nodes and with its lumped mass, constraints
-  /// and loads. Blocks keep their numbers and chosen elements their order; a block may end up empty. For bodies made of
-  /// a mesh and materials. Throws InputError when `chosen` does not fit the mesh, and for bodies with discrete forces
-  /// or elements that damp.
+  /// and loads; they damp as they do there. Blocks keep their numbers and chosen elements their order; a block may end
+  /// up empty. For bodies made of a mesh and materials. Throws InputError when `chosen` does not fit the mesh, and for
+  /// bodies with discrete forces.
   Body(const Body& whole, const std::vector<std::vector<bool>>& chosen);
 
   const Mesh& mesh() const { return mesh_; }

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <span>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include <ringwatch/app/output/report.h>
+#include <ringwatch/app/scene/scene_discrete.h>
 #include <ringwatch/body/discrete_forces.h>
 #include <ringwatch/body/element_energy.h>
 #include <ringwatch/body/element_stress.h>
@@ -16,6 +16,11 @@
 #include <ringwatch/monitor/metrics/metrics.h>
 
 namespace ringwatch {
+
+RunErosion::RunErosion(Simulation& simulation) : run_(simulation) {
+  for (std::size_t i = 0; i < run_.scene.contacts.size(); ++i)
+    if (run_.scene.contacts[i].withSurface) surfaces_.push_back(i);
+}
 
 std::vector<std::vector<RunErosion::Fault>> RunErosion::faults() const {
   const Scene::Erosion& wanted = *run_.scene.erosion;
@@ -77,6 +82,7 @@ bool RunErosion::makeDue(std::int64_t k) {
 }
 
 void RunErosion::takeOut(const std::vector<std::vector<Fault>>& found, std::int64_t k) {
+  run_.output->open();
   run_.scheme->stepper().complete(run_.state);
   run_.recordEnergies();
   const std::vector<std::vector<double>> strain = strainEnergyOfElements(run_.body, run_.state.x);
@@ -102,16 +108,21 @@ void RunErosion::takeOut(const std::vector<std::vector<Fault>>& found, std::int6
        fmt::format("{}: {} {:.6g}", eventText(event, run_.body.mesh()), first.cause, first.value)});
   run_.watch.end();
   run_.scheme.reset();
+  const auto ofContact = [this] {
+    const DiscreteForces* discrete = run_.body.discreteForces();
+    return discrete ? discrete->energy(run_.state.x) : 0;
+  };
+  lost += ofContact();
   std::optional<DiscreteForces> discrete;
-  if (const DiscreteForces* all = run_.body.discreteForces()) {
-    std::vector<std::int32_t> nodes(static_cast<std::size_t>(run_.body.nodeCount()));
-    std::iota(nodes.begin(), nodes.end(), 0);
-    discrete.emplace(all->restrictedTo(nodes));
+  if (DiscreteForces* all = run_.body.discreteForces()) {
+    discrete.emplace(std::move(*all));
     run_.body.setDiscreteForces(DiscreteForces(run_.body.nodeCount()));
   }
   Body left(run_.body, stays);
   if (discrete) left.setDiscreteForces(std::move(*discrete));
   run_.body = std::move(left);
+  renewSurfaceContact(run_.scene, run_.state.time, surfaces_, run_.body);
+  lost -= ofContact();
   run_.state.a.resize(3, 0);
   run_.recorder.follow(run_.body.mesh());
   run_.probes.follow();

@@ -12,7 +12,7 @@ namespace ringwatch {
 class RunErosion {
  public:
   /// The simulation must outlive this.
-  explicit RunErosion(Simulation& simulation) : run_(simulation) {}
+  explicit RunErosion(Simulation& simulation);
 
   /// Takes the elements out of the body that meet a criterion at the state before step k; what depends on them is built
   /// again. Records of them are in the result. False when none would be left, which ends the run.
@@ -28,6 +28,7 @@ class RunErosion {
   void takeOut(const std::vector<std::vector<Fault>>& faults, std::int64_t k);
 
   Simulation& run_;
+  std::vector<std::size_t> surfaces_;  // of scene.contacts, those with the surface that are left
 };
 
 }  // namespace ringwatch

@@ -457,9 +457,13 @@ std::map<std::int32_t, SurfaceLoad> surfaceLoads(const Body& body) {
   return loads;
 }
 
-/// A contact with the surface, with its penalties. alone: made when it is wanted.
-SurfaceContact surfaceContactOf(const Scene& scene, const Scene::Contact& contact, const Body& body,
-                                std::optional<ElementsAlone>& alone) {
+/// A contact with the surface of a body, without penalties; and what they are made of.
+struct SurfaceSides {
+  SurfaceContact contact;
+  std::vector<std::int32_t> to;  // nodes of the touched surface
+  SurfaceShares shares;
+};
+SurfaceSides sidesOf(const Scene::Contact& contact, const Body& body) {
   const Mesh& mesh = body.mesh();
   const std::vector<std::int32_t> surface = surfaceNodes(mesh);
   const auto onSurface = [&](const std::optional<NodeSelection>& selection) {
@@ -469,24 +473,43 @@ SurfaceContact surfaceContactOf(const Scene& scene, const Scene::Contact& contac
     std::set_intersection(surface.begin(), surface.end(), selected.begin(), selected.end(), std::back_inserter(own));
     return own;
   };
-  const std::vector<std::int32_t> nodes = onSurface(contact.nodes), to = onSurface(contact.to);
+  const std::vector<std::int32_t> nodes = onSurface(contact.nodes);
   if (nodes.empty())
     throw InputError(fmt::format("{}: none of its nodes is on the surface; change the condition", contact.origin));
-  SurfaceContact own;
+  SurfaceSides sides{{}, onSurface(contact.to), {}};
+  SurfaceContact& own = sides.contact;
   try {
-    own = surfaceContact(mesh, nodes, to, contact.edgeAngle);
+    own = surfaceContact(mesh, nodes, sides.to, contact.edgeAngle);
   } catch (const InputError& fault) {
     throw InputError(fmt::format("{}: to_where, to_set: {}; change the condition", contact.origin, fault.what()));
   }
-  requireApart(contact, own, mesh);
   own.friction = contact.friction;
   own.slip = contact.slip;
-  const SurfaceShares shares = sharesOf(own, body);
+  sides.shares = sharesOf(own, body);
+  const SurfaceShares& shares = sides.shares;
   for (std::size_t k = 0; k < nodes.size(); ++k)
     own.split[k] = std::clamp(body.lumpedMass()[nodes[k]] / (shares.massPerArea * shares.area[nodes[k]]),
                               SurfaceContact::leastSplit, SurfaceContact::largestSplit);
   for (SurfaceContact::Edge& edge : own.edges)
     edge.mass = std::min(body.lumpedMass()[edge.nodes[0]], body.lumpedMass()[edge.nodes[1]]);
+  return sides;
+}
+
+/// The damping of a contact with the surface that has its penalties.
+void addSurfaceDamping(const Scene::Contact& contact, const Body& body, SurfaceContact& own) {
+  for (SurfaceContact::Edge& edge : own.edges) edge.damping = 2 * contact.damping * std::sqrt(edge.penalty * edge.mass);
+  for (std::size_t k = 0; k < own.nodes.size(); ++k)
+    own.damping.push_back(2 * contact.damping * std::sqrt(own.penalty[k] * body.lumpedMass()[own.nodes[k]]));
+}
+
+/// A contact with the surface, with its penalties. alone: made when it is wanted.
+SurfaceContact surfaceContactOf(const Scene& scene, const Scene::Contact& contact, const Body& body,
+                                std::optional<ElementsAlone>& alone) {
+  SurfaceSides sides = sidesOf(contact, body);
+  SurfaceContact& own = sides.contact;
+  const std::vector<std::int32_t>&nodes = own.nodes, &to = sides.to;
+  const SurfaceShares& shares = sides.shares;
+  requireApart(contact, own, body.mesh());
   if (contact.penalty) {
     own.penalty.assign(nodes.size(), *contact.penalty);
     for (SurfaceContact::Edge& edge : own.edges) edge.penalty = *contact.penalty;
@@ -514,11 +537,29 @@ SurfaceContact surfaceContactOf(const Scene& scene, const Scene::Contact& contac
                                                            body.lumpedMass()[node], contact.damping, factor));
     }
   }
-  for (SurfaceContact::Edge& edge : own.edges) edge.damping = 2 * contact.damping * std::sqrt(edge.penalty * edge.mass);
-  for (std::size_t k = 0; k < nodes.size(); ++k)
-    own.damping.push_back(2 * contact.damping * std::sqrt(own.penalty[k] * body.lumpedMass()[nodes[k]]));
-  return own;
+  addSurfaceDamping(contact, body, own);
+  return std::move(sides.contact);
 }
+
+/// The penalty of a node or an edge: as it was, or for its mass as little as the least of the others.
+template <class Key>
+class KeptPenalties {
+ public:
+  void add(const Key& key, double penalty, double mass) {
+    known_[key] = penalty;
+    least_ = std::min(least_, penalty / mass);
+  }
+  /// otherwise: over the mass, where there are no others.
+  double of(const Key& key, double mass, double otherwise) const {
+    const auto known = known_.find(key);
+    return known != known_.end() ? known->second : mass * std::min(least_, otherwise);
+  }
+  double least() const { return least_; }
+
+ private:
+  std::map<Key, double> known_;
+  double least_ = infinity;
+};
 
 }  // namespace
 
@@ -589,6 +630,42 @@ void addDiscreteForces(const Scene& scene, Body& body) {
     for (const std::size_t obstacle : contact.obstacles)
       forces.add(PenaltyContact{obstacle, nodes, penalty, damping, contact.friction, contact.slip});
   }
+  body.setDiscreteForces(std::move(forces));
+}
+
+void renewSurfaceContact(const Scene& scene, double time, std::vector<std::size_t>& contacts, Body& body) {
+  const DiscreteForces* const before = body.discreteForces();
+  if (contacts.empty()) return;
+  DiscreteForces forces(body.nodeCount());
+  forces.add(before->springs());
+  for (const Scene::MovingObstacle& obstacle : scene.obstacles) forces.add(obstacle.kind->make(obstacle.parameters));
+  placeObstacles(scene, time, forces);
+  for (const PenaltyContact& contact : before->contacts()) forces.add(contact);
+  forces.setDampingFactor(before->dampingFactor());
+  std::vector<std::size_t> left;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const SurfaceContact& former = before->surfaces()[i].contact();
+    const Scene::Contact& contact = scene.contacts[contacts[i]];
+    SurfaceContact own;
+    try {
+      own = sidesOf(contact, body).contact;
+    } catch (const InputError&) {
+      continue;  // one of its sides is gone
+    }
+    KeptPenalties<std::int32_t> nodes;
+    KeptPenalties<std::array<std::int32_t, 2>> edges;
+    for (std::size_t k = 0; k < former.nodes.size(); ++k)
+      nodes.add(former.nodes[k], former.penalty[k], body.lumpedMass()[former.nodes[k]]);
+    for (const SurfaceContact::Edge& edge : former.edges) edges.add(edge.nodes, edge.penalty, edge.mass);
+    for (const std::int32_t node : own.nodes)
+      own.penalty.push_back(contact.penalty ? *contact.penalty : nodes.of(node, body.lumpedMass()[node], infinity));
+    for (SurfaceContact::Edge& edge : own.edges)
+      edge.penalty = contact.penalty ? *contact.penalty : edges.of(edge.nodes, edge.mass, nodes.least());
+    addSurfaceDamping(contact, body, own);
+    forces.add(std::move(own));
+    left.push_back(contacts[i]);
+  }
+  contacts = std::move(left);
   body.setDiscreteForces(std::move(forces));
 }
 

@@ -15,6 +15,12 @@ void addPointMasses(const Scene& scene, Body& body);
 /// cannot be had.
 void addDiscreteForces(const Scene& scene, Body& body);
 
+/// Builds the contact with the surface again on the elements that a body of the scene has left: faces of elements that
+/// are gone no longer push, those that came to light do. Nodes and edges keep their penalties; new ones get, for their
+/// mass, as little as the least of the others. A contact one side of which is gone ends. time: s, where obstacles are.
+/// contacts: positions in scene.contacts of those with the surface that the body has; stays so.
+void renewSurfaceContact(const Scene& scene, double time, std::vector<std::size_t>& contacts, Body& body);
+
 /// The rule of the steps of a scene on its body. With dashpots or elements that damp it is exact at the scene's step;
 /// the body then counts their damping for that step (DiscreteForces::setDampingFactor, ElementDamping::setFactor).
 StepRule sceneStepRule(const Scene& scene, Body& body);

@@ -193,6 +193,209 @@ picture = false
   EXPECT_GT(summary["discrete_forces"]["most_touching"].get<int>(), 0);
 }
 
+// What is left damps as before: momentum is kept, and what the damping takes is in the balance.
+TEST_F(Erosion, LeavesTheDampingOfElementsThatStay) {
+  folder_.write("scene.toml", torn);
+  for (const std::string damping : {"--set damping.bulk_viscosity=true", "--set material.0.shear_viscosity=0.5",
+                                    "--set material.1.mass_damping=5"}) {
+    const Outcome outcome = call("run scene.toml --out r --set integrator.step=5e-5 " + damping);
+    EXPECT_EQ(outcome.status, 0) << outcome.err << outcome.out;
+    const Json summary = json("r/summary.json");
+    EXPECT_EQ(summary["erosion"]["elements"].size(), 8u) << damping;
+    EXPECT_EQ(summary["certified"], true) << damping;
+    const Table history = table("r/history.csv"), probes = table("r/probes.csv");
+    const std::size_t last = history.rows.size() - 1;
+    const double energy = history.number(0, "kinetic_J");
+    EXPECT_GT(history.number(last, "dissipated_J"), summary["erosion"]["strain"].get<double>());
+    EXPECT_LE(std::abs(history.number(last, "balance_error_J")), 5e-3 * energy) << damping;
+    if (damping.find("mass_damping") == std::string::npos) {
+      EXPECT_NEAR(probes.number(probes.rows.size() - 1, "all.momentum_x_Ns"), probes.number(0, "all.momentum_x_Ns"),
+                  1e-12);
+    }
+  }
+}
+
+/// A block that comes down on another one whose stiff layer goes at the start.
+constexpr const char* landing = R"([mesh]
+generate = "stack"
+element = "hex8"
+size = [0.04, 0.04, 0.06]
+cells = [2, 2, 3]
+upper_size = [0.02, 0.02, 0.02]
+upper_cells = [1, 1, 1]
+gap = 0.001
+[[material]]
+where = "z < 0.04 or z > 0.06"
+model = "stvk"
+young = 1e5
+poisson = 0.2
+density = 1000
+[[material]]
+where = "0.04 <= z <= 0.06"
+model = "stvk"
+young = 1e6
+poisson = 0.2
+density = 1000
+[integrator]
+step = 2e-4
+end = 0.06
+[[fix]]
+where = "z < 1e-6"
+[[initial]]
+where = "z > 0.0605"
+velocity = [0, 0, -1]
+[[contact]]
+with = "surface"
+penalty = 2e3
+[erosion]
+least_step = 6e-4
+[[probe]]
+name = "block"
+what = "displacement"
+where = "z > 0.0605"
+[output]
+picture = false
+)";
+
+// Faces that are gone do not push, and those behind them do: the block passes the layer and turns back at what is left.
+TEST_F(Erosion, MovesTheSurfacesOfContact) {
+  folder_.write("scene.toml", landing);
+  ASSERT_EQ(call("run scene.toml --out whole --set erosion.least_step=1e-9").status, 0);
+  const Outcome outcome = call("run scene.toml --out r");
+  EXPECT_EQ(outcome.status, 0) << outcome.err << outcome.out;
+  const Json summary = json("r/summary.json");
+  ASSERT_EQ(summary["erosion"]["elements"].size(), 4u);
+  const auto lowest = [&](const std::string& folder) {
+    const Table probes = table(folder + "/probes.csv");
+    double least = 0;
+    for (std::size_t i = 0; i < probes.rows.size(); ++i)
+      least = std::min(least, probes.number(i, "block.displacement_z_m"));
+    return -least;
+  };
+  // The gap, the layer, and what the surfaces give way.
+  EXPECT_GT(lowest("whole"), 0.001);
+  EXPECT_LT(lowest("whole"), 0.011);
+  EXPECT_GT(lowest("r"), 0.021);
+  EXPECT_LT(lowest("r"), 0.031);
+  EXPECT_GT(summary["discrete_forces"]["most_touching"].get<int>(), 0);
+  const Table history = table("r/history.csv");
+  EXPECT_LE(std::abs(history.number(history.rows.size() - 1, "balance_error_J")),
+            0.01 * history.number(0, "kinetic_J"));
+}
+
+// Springs and obstacles hold nodes that have no element, and blocks become empty.
+TEST_F(Erosion, GoesOnWithPointMassesThatSpringsAndObstaclesHold) {
+  folder_.write("obstacle.toml", R"([mesh]
+generate = "bar"
+cells = [2, 2, 2]
+[[material]]
+model = "stvk"
+young = 2e4
+poisson = 0.3
+density = 3740
+where = "x < 0.1"
+[[material]]
+model = "mooney-rivlin"
+c10 = 5190
+bulk = 1.13e5
+density = 2980
+where = "x >= 0.1"
+[integrator]
+step = 9e-4
+end = 0.26
+[[obstacle]]
+kind = "cylinder"
+axis = [0, 1, 0]
+radius = 0.05
+point = [0.1, 0.02, -0.052]
+velocity = [0, 0, 0.17]
+times = [0, 0.05, 0.15]
+factors = [0, 1, 2]
+[[contact]]
+friction = 0.7
+[erosion]
+max_stretch = 1.01
+[output]
+picture = false
+)");
+  folder_.write("springs.toml", R"([mesh]
+generate = "ball"
+cells = 2
+[[material]]
+model = "yeoh"
+c10 = 7930
+bulk = 2.95e5
+density = 1660
+where = "z < 0"
+[[material]]
+model = "stvk"
+young = 2e4
+poisson = 0.3
+density = 464
+where = "z >= 0"
+[integrator]
+step = 1e-4
+end = 0.045
+[[initial]]
+where = "all"
+velocity = [-7, 7.5, 1.2]
+[[spring]]
+where = "z > 0.045"
+stiffness = 4.1e4
+[[rigid]]
+where = "z > -0.0067"
+[erosion]
+max_stretch = 1.002
+[output]
+picture = false
+)");
+  for (const std::string scene : {"obstacle", "springs"}) {
+    const Outcome outcome = call("run " + scene + ".toml --out " + scene + " --set monitor.on_violation=warn");
+    EXPECT_LT(outcome.status, 2) << outcome.err;
+    const Json summary = json(scene + "/summary.json");
+    EXPECT_GT(summary["erosion"]["elements"].size(), 1u) << scene;
+    EXPECT_NE(summary["exit_reason"], "failed") << outcome.err;
+  }
+}
+
+// An element that inverts has no energy by this law: neither sums nor balance may keep that.
+TEST_F(Erosion, KeepsTheEnergiesNumbersWhereElementsInvert) {
+  folder_.write("scene.toml", R"([mesh]
+generate = "bar"
+size = [0.2, 0.04, 0.04]
+cells = [5, 1, 1]
+element = "hex8"
+[material]
+model = "neo-hookean"
+young = 30e3
+poisson = 0.3
+density = 1000
+[integrator]
+method = "symplectic-euler"
+step = 1e-3
+end = 0.1
+[monitor]
+on_violation = "warn"
+[[fix]]
+where = "x < 1e-6"
+[[move]]
+where = "x > 0.2 - 1e-6"
+velocity = [-8, 0, 0]
+times = [0, 0.006, 0.0061]
+factors = [1, 1, 0]
+[erosion]
+inverted = true
+[output]
+picture = false
+)");
+  call("run scene.toml --out r");
+  ASSERT_GE(json("r/summary.json")["erosion"]["elements"].size(), 1u);
+  const Table history = table("r/history.csv");
+  for (std::size_t i = 0; i < history.rows.size(); ++i)
+    for (const char* column : {"strain_J", "external_work_J", "balance_error_J", "dissipated_J"})
+      EXPECT_TRUE(std::isfinite(history.number(i, column))) << column << " of row " << i;
+}
+
 TEST_F(Erosion, EndsWhereNothingIsLeftAndHasTheSameBitsForAnyNumberOfThreads) {
   folder_.write("scene.toml", std::string(tiny) + "[erosion]\nmax_stretch = 1.0001\n");
   const Outcome outcome = call("run scene.toml --out r --set integrator.end=0.5 --set erosion.every=50");

@@ -434,6 +434,30 @@ TEST(ElementDamping, CoefficientsFollowTheRatesWithinTheirShare) {
   EXPECT_EQ(block.coefficient(0), 0.06);
 }
 
+// A part damps as it does in the whole, and two parts that are all of it together as the whole does.
+TEST(ElementDamping, PartsOfABodyDampAsInTheWhole) {
+  for (const test::BodyCase& c : casesOfRules()) {
+    Body whole = damped(c, all, {2, 2, 1});
+    whole.elementDamping()->setFactor(0.3);
+    std::vector<std::vector<bool>> one, other;
+    for (const auto& block : whole.blocks()) {
+      one.emplace_back(block->elementCount());
+      other.emplace_back(block->elementCount());
+      for (std::int32_t e = 0; e < block->elementCount(); ++e) (e % 3 == 0 ? one : other).back()[e] = true;
+    }
+    Body first(whole, one), second(whole, other);
+    const NodeVectors x = test::strained(whole.mesh().X), v = test::Random(9).nodeVectors(whole.nodeCount(), 1);
+    for (Body* body : {&whole, &first, &second}) body->followDampingRates(x, v);
+    const NodeVectors force = forceOf(whole, x, v), parts = forceOf(first, x, v) + forceOf(second, x, v);
+    EXPECT_LE((force - parts).norm(), 1e-12 * force.norm()) << test::bodyCaseName(c);
+    EXPECT_EQ(first.elementDamping()->factor(), 0.3);
+    const MatrixXd tangent = whole.assembleTangent(x);
+    EXPECT_LE((tangent - MatrixXd(first.assembleTangent(x)) - MatrixXd(second.assembleTangent(x))).norm(),
+              1e-12 * tangent.norm())
+        << test::bodyCaseName(c);
+  }
+}
+
 TEST(ElementDamping, AnElementWithoutVolumeDampsByATenthOfIt) {
   const test::BodyCase c = casesOfRules().front();
   Body body = damped(c, {0.06, 1.2, 0, 0, 0});
