@@ -1,7 +1,9 @@
 #include <ringwatch/app/report/run_report.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 #include <fstream>
 #include <functional>
 #include <map>
@@ -26,7 +28,9 @@ using json_read::textOf;
 Json readSummary(const std::filesystem::path& folder, std::vector<std::string>& notes) {
   std::ifstream stream(folder / "summary.json", std::ios::binary);
   if (!stream) {
-    notes.emplace_back("There is no summary.json: the run was killed, or still goes on.");
+    const int reason = errno;
+    notes.push_back(reason == ENOENT ? "There is no summary.json: the run was killed, or still goes on."
+                                     : fmt::format("summary.json cannot be read: {}.", std::strerror(reason)));
     return nullptr;
   }
   Json summary = Json::parse(stream, nullptr, false);
