@@ -705,8 +705,10 @@ Scene makeScene(const std::filesystem::path& file, const std::vector<SceneTable>
   scene.energy = output.get<bool>("energy");
   scene.picture = output.get<bool>("picture");
   const IntegratorInfo& info = *integratorCatalog().find(scene.method);
+  const bool noCriticalStep = std::isinf(info.imaginaryLimit) || info.partitioned;
+  if (noCriticalStep && !output.given("fields")) std::erase(scene.fields, "critical_step");
   for (const std::string& field : scene.fields)
-    if ((std::isinf(info.imaginaryLimit) || info.partitioned) && (field == "critical_step" || findMetric(field)))
+    if (noCriticalStep && (field == "critical_step" || findMetric(field)))
       fail(output.at("fields").origin, "output.fields",
            fmt::format("\"{}\": \"{}\" {} and has no critical step", field, scene.method,
                        info.partitioned ? "chooses its stiff elements by the step" : "is stable at every step"));

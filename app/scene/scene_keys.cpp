@@ -297,7 +297,7 @@ void addIntegrator(std::vector<SceneKey>& all) {
            .unit = "s",
            .required = true,
            .range = positive,
-           .help = "time at which the run ends"},
+           .help = "time at which the run ends; with a fixed step, its first multiple from there on"},
           {.key = "device",
            .type = T::text,
            .fallback = "\"cpu\"",
