@@ -199,14 +199,23 @@ const ReportWriters& neededReportWriters() {
 
 constexpr const char* pageHelp = "write one HTML page about it to this file, which opens from disk in any browser";
 
+/// A word in single quotes, as a shell takes it.
+std::string quoted(const std::string& word) {
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? "'\\''" : std::string(1, c);
+  return text + "'";
+}
+
+/// The same, without quotes where none are needed.
+std::string shellWord(const std::string& word) {
+  const bool plain = !word.empty() && word.find_first_of(" \t\n'\"$`\\<>|&;()*?[]#~{}!") == std::string::npos;
+  return plain ? word : quoted(word);
+}
+
 /// What was typed, for the provenance of a page.
 std::string commandTyped(int argc, char** argv) {
   std::string text = "ringwatch";
-  for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    const bool plain = !word.empty() && word.find_first_of(" '\"$`\\<>|&;()*?[]#~{}!") == std::string::npos;
-    text += plain ? " " + word : fmt::format(" '{}'", word);
-  }
+  for (int i = 1; i < argc; ++i) text += " " + shellWord(argv[i]);
   return text;
 }
 
@@ -293,8 +302,8 @@ struct RunCommand {
 
   /// The command again, with all that the results depend on.
   std::string commandText() const {
-    std::string text = "ringwatch run " + (resumed.empty() ? scene : "--resume " + resumed);
-    for (const std::string& setting : overrides) text += " --set '" + setting + "'";
+    std::string text = "ringwatch run " + (resumed.empty() ? shellWord(scene) : "--resume " + shellWord(resumed));
+    for (const std::string& setting : overrides) text += " --set " + quoted(setting);
     if (requireCertified) text += " --require-certified";
     if (threads > 0) text += fmt::format(" --threads {}", threads);
     return text;
@@ -306,6 +315,7 @@ struct RunCommand {
       return ExitStatus::done;
     }
     requireWhatGoesTogether();
+    const InterruptGuard guard;  // while the mesh is read, too
     if (ranks) return runOnRanks();
     if (!resumed.empty()) return resume();
     const Scene description = readScene(scene, settings());
@@ -350,7 +360,6 @@ struct RunCommand {
     request.quiet = quiet;
     request.interrupt = &interrupted;
     request.checkpoint = &checkpointWanted;
-    const InterruptGuard guard;
     return ranks->run(request, [](const std::string& text) { printOut(text); });
   }
 
@@ -372,7 +381,6 @@ struct RunCommand {
     if (live) options.listener = &watch.emplace(results, neededReportWriters().ofRun, !quiet);
     options.provenance = provenanceOf(commandText(), scene);
     Body body = sceneBody(description, sceneMesh(description, options.notes), threads);
-    const InterruptGuard guard;
     const RunResult result = runScene(description, body, options);
     watch.reset();
     const bool cutShort = result.reason == ExitReason::interrupted;
@@ -385,6 +393,7 @@ struct RunCommand {
     } catch (const InputError&) {
       if (!cutShort) throw;  // the terminal may be what is gone
     }
+    if (result.reason == ExitReason::failed) return complain(result.reasonText, result.exitStatus());
     return result.exitStatus();
   }
 };
@@ -1055,6 +1064,8 @@ int runCommandLine(int argc, char** argv, const RankProgram* ranks) {
     } catch (const InputError& fault) {
       return complain(fault.what(), ExitStatus::badInput);
     } catch (const NumericalError& fault) {
+      return complain(fault.what(), ExitStatus::unstable);
+    } catch (const RunFailed& fault) {
       return complain(fault.what(), ExitStatus::unstable);
     } catch (const std::bad_alloc&) {
       return complain("out of memory; use a smaller mesh or more memory", ExitStatus::badInput);

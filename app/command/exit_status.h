@@ -15,11 +15,11 @@ struct ExitStatusInfo {
 /// The one table of exit statuses: help texts print it, and a test holds the documents to it.
 inline constexpr std::array<ExitStatusInfo, 5> exitStatuses{{
     {ExitStatus::done, "done, stable"},
-    {ExitStatus::unstable, "instability found, a verification failed, or no convergence"},
+    {ExitStatus::unstable, "instability found, a verification failed, no convergence, or an error ended a run"},
     {ExitStatus::badInput, "bad usage or bad input; one line on standard error says what and where"},
     {ExitStatus::notCertified,
      "done, no instability seen, but nothing certified the run or the step that was to be proven"},
-    {ExitStatus::interrupted, "interrupted by a signal; results up to there are kept"},
+    {ExitStatus::interrupted, "interrupted by a signal, no instability found; results up to there are kept"},
 }};
 
 }  // namespace ringwatch

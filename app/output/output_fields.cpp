@@ -81,7 +81,7 @@ constexpr OutputField summary[] = {
     {"safe_seen", "", "of the steps watched", F::object, P::orNull},
     {"safe_seen.least", "s", "least safe step along the run; null where every step is", F::number, P::orNull},
     {"safe_seen.largest", "s", "largest safe step along the run; null where every step is", F::number, P::orNull},
-    {"exit_reason", "", "end, violated, non-finite, step-collapsed, step-failed or interrupted", F::text},
+    {"exit_reason", "", "end, violated, non-finite, step-collapsed, step-failed, interrupted or failed", F::text},
     {"exit_text", "", "the same in a sentence", F::text},
     {"steps", "", "steps taken", F::integer},
     {"end_time", "s", "time reached"},

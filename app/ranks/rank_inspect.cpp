@@ -217,9 +217,9 @@ InspectResult inspectInParts(Ranks& ranks, const InspectOptions& options) {
     if (ranks.rank() == 0) throw;
     nothing.status = ExitStatus::badInput;
   } catch (const std::bad_alloc&) {
-    endAll(ranks, "out of memory; use more ranks, on more machines");
+    endAll(ranks, "out of memory; use more ranks, on more machines", ExitStatus::badInput);
   } catch (const std::exception& fault) {
-    endAll(ranks, fault.what());
+    endAll(ranks, fault.what(), ExitStatus::badInput);
   }
   return nothing;
 }

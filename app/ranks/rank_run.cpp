@@ -71,18 +71,15 @@ class RankRun {
   RankRun(Ranks& ranks, const RankRunRequest& request) : ranks_(ranks), request_(request), log_(first()) {}
 
   ExitStatus go(const std::function<void(const std::string&)>& print) {
-    {
-      const Stopwatch total(result_.wallTime);
-      begin();
-      try {
-        step();
-        finish();
-      } catch (const OtherRankFailed&) {
-        throw;
-      } catch (const std::exception& fault) {
-        if (knownToAll_) throw;
-        endAll(ranks_, fault.what());
-      }
+    begin();
+    try {
+      step();
+      finish();
+    } catch (const OtherRankFailed&) {
+      throw;
+    } catch (const std::exception& fault) {
+      if (knownToAll_) throw;
+      fail(fault);
     }
     auto status = static_cast<int>(result_.exitStatus());
     if (first()) {
@@ -91,7 +88,7 @@ class RankRun {
         if (!request_.quiet) print(summaryText(scene_, *whole_, result_, request_.folder));
       } catch (const std::exception& fault) {
         if (result_.reason != ExitReason::interrupted)
-          endAll(ranks_, fault.what());  // else the terminal may be what is gone
+          endAll(ranks_, fault.what(), ExitStatus::unstable);  // else the terminal may be what is gone
       }
     }
     ranks_.share(&status, sizeof status, 0);  // of the first rank, which knows of all events
@@ -102,6 +99,28 @@ class RankRun {
   bool first() const { return ranks_.rank() == 0; }
   /// What the monitor sees of the part: all of it, or the explicit elements.
   const RankBody& watched() const { return explicitPart_ ? *explicitPart_ : *part_; }
+
+  /// Ends all ranks for a fault that this one has alone, as far as it knows. What a run that has begun came to is
+  /// written before, by the first rank or by one that finds no summary.
+  [[noreturn]] void fail(const std::exception& fault) {
+    const std::string text = fmt::format("step {}: {}", result_.steps, faultText(fault));
+    if (!outputIsOpen_) endAll(ranks_, text, ExitStatus::badInput);
+    end(ExitReason::failed, fmt::format("{}, {}", ranks_.name(), text));
+    result_.time = state_.time;
+    try {
+      if (first()) {
+        output_->flush();
+        result_.files.emplace_back("history.csv");
+        recorder_->noteWhatIsNotCertified(whole_->mesh());
+      } else {
+        result_.notes.emplace_back("the events are left out: the first rank alone knew of them");
+      }
+      if (first() || !std::filesystem::exists(request_.folder / "summary.json")) writeSummary();
+    } catch (const std::exception&) {
+      // The line on standard error is all that is left.
+    }
+    endAll(ranks_, text, ExitStatus::unstable);
+  }
 
   /// together(), of a run that has begun.
   template <class Work>
@@ -164,6 +183,9 @@ class RankRun {
       steps_.emplace(scene_);
       recorder_.emplace(scene_, result_);
       if (handler_) handler_->begin({ranks_, *halo_, *part_, watched(), *system_, *integrator_, first()});
+      ofWhole_ = summaryJson(scene_, *whole_, result_);
+      ofWhole_["provenance"] = provenanceOf(request_.command, request_.scene);
+      ofWhole_["provenance"]["mesh_hash"] = fmt::format("{:016x}", hashOf(whole_->mesh()));
       if (first())
         recorder_->follow(whole_->mesh());
       else
@@ -214,6 +236,7 @@ class RankRun {
 
   void step() {
     for (std::int64_t k = result_.steps;; k = result_.steps) {
+      wish_ = nothing;
       if (loads_->any()) loads_->setForces(state_.time, state_.x, toBalance());
       // A rounding error in the sum of the steps must not add one.
       if (steps_->step() > 0 && state_.time >= scene_.end - 1e-3 * steps_->step())
@@ -242,7 +265,7 @@ class RankRun {
       record(report, rowDue);
       if (report.verdict == Verdict::violated &&
           (scene_.onViolation == OnViolation::stop || scene_.onViolation == OnViolation::handle))
-        return end(ExitReason::violated, fmt::format("stopped before step {}, which is violated", k));
+        return end(reasonToStop(report), textOfStop(report));
       if (!takeStep(report)) return;
       showProgress(report);
     }
@@ -255,11 +278,9 @@ class RankRun {
       handler_->choose(*monitor_, state_.x, steps_->step());
     }
     const std::string events = eventsBefore_;
-    const int wish = wish_;
     resumeEvents(events);
     MonitorReport report = observe(k, rowDue);
     eventsBefore_ = events;
-    wish_ = std::max(wish, wish_);
     return report;
   }
 
@@ -268,7 +289,9 @@ class RankRun {
     // A handler of elements that the monitor does not see evaluates its own.
     const bool stepperNeedsForce = !explicitPart_ && stepper_->needsForce(state_);
     evaluation_.wantsForce = stepperNeedsForce || (energiesNeeded(true) && moving_ && !explicitPart_);
-    wish_ = request_.interrupt->load() ? endWish : request_.checkpoint->exchange(false) ? checkpointWish : nothing;
+    // A state may be observed again: what was asked at it before still holds.
+    if (request_.checkpoint->exchange(false)) wish_ = std::max<int>(wish_, checkpointWish);
+    if (request_.interrupt->load()) wish_ = endWish;
     eventsBefore_ = savedEvents();
     evaluation_.wallTime = 0;
     MonitorReport report =
@@ -482,6 +505,7 @@ class RankRun {
       totals = energiesNow();
       totals.kinetic = totals.strain = 0;
     }
+    total_.lap();
     Checkpoint saved;
     saved.state.time = state_.time;
     saved.state.x = gathered(ranks_, *part_, state_.x);
@@ -558,7 +582,7 @@ class RankRun {
     if (handler_) result_.handler = handler_->handling();
     countTraffic();
     const Stopwatch measured(result_.outputTime);
-    output_->finish(result_, scene_.frameInterval ? stateOfFrame() : State(), last);
+    output_->finish(result_, scene_.frameInterval ? stateOfFrame() : State(), finite ? &last : nullptr);
   }
 
   /// Of all ranks, in the result. Collective.
@@ -589,12 +613,14 @@ class RankRun {
 
   void writeSummary() {
     result_.files.emplace_back("summary.json");
-    nlohmann::ordered_json json = summaryJson(scene_, *whole_, result_);
-    json["provenance"] = provenanceOf(request_.command, request_.scene);
-    json["provenance"]["mesh_hash"] = fmt::format("{:016x}", hashOf(whole_->mesh()));
+    total_.lap();
+    nlohmann::ordered_json json = summaryJson(scene_, whole_ ? *whole_ : part_->body(), result_);
+    // A part does not know the whole.
+    for (const char* key : {"mesh", "mass", "provenance"}) json[key] = ofWhole_[key];
+    if (!whole_) json["materials"] = ofWhole_["materials"];
     writeFileAtomically(request_.folder / "summary.json", json.dump(2) + "\n");
     std::error_code ignored;
-    if (result_.reason == ExitReason::end) std::filesystem::remove(request_.folder / checkpointFile, ignored);
+    if (!result_.canGoOn()) std::filesystem::remove(request_.folder / checkpointFile, ignored);
   }
 
   Ranks& ranks_;
@@ -603,6 +629,8 @@ class RankRun {
   std::unique_ptr<Body> whole_;  // on the first rank
   StepRule rule_ = 0.0;
   RunResult result_;
+  Stopwatch total_{result_.wallTime};
+  nlohmann::ordered_json ofWhole_;  // a summary of the whole body before its first step
   std::unique_ptr<RankBody> part_;
   std::unique_ptr<RankBody> explicitPart_;  // of the same nodes; nullptr where it is all of the part
   std::optional<TimedLoads> loads_;

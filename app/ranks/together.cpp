@@ -9,9 +9,9 @@
 
 namespace ringwatch {
 
-void endAll(const Ranks& ranks, const char* fault) {
-  std::fprintf(stderr, "ringwatch: %s: %s\n", ranks.name().c_str(), fault);
-  MPI_Abort(ranks.communicator(), static_cast<int>(ExitStatus::badInput));
+void endAll(const Ranks& ranks, const std::string& fault, ExitStatus status) {
+  std::fprintf(stderr, "ringwatch: %s: %s\n", ranks.name().c_str(), fault.c_str());
+  MPI_Abort(ranks.communicator(), static_cast<int>(status));
   std::abort();
 }
 

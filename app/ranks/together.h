@@ -25,7 +25,7 @@ struct RankFault {
 Partition cutTogether(Ranks& ranks, const Mesh& mesh);
 
 /// Ends all ranks: others wait for this one, which cannot go on.
-[[noreturn]] void endAll(const Ranks& ranks, const char* fault);
+[[noreturn]] void endAll(const Ranks& ranks, const std::string& fault, ExitStatus status);
 
 /// Throws on all ranks where the work of one has failed: on the first rank the fault of the first that failed, with the
 /// name of that one unless all have failed, and OtherRankFailed on the others. Collective.

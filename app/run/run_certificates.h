@@ -23,7 +23,7 @@ class RunCertificates {
   /// Writes what is due at an observation of a state. violatedBefore: a step that was taken was proven unstable. A
   /// state whose tangent is not finite has no certificate.
   void record(const MonitorReport& report, const State& state, bool violatedBefore);
-  /// The state of the last observation is not that before the next one.
+  /// The state of the last observation is not that before the next one, or not of the same body.
   void forget() { before_.reset(); }
   /// Of the run, those before it was resumed included.
   std::int64_t count() const;

@@ -76,6 +76,7 @@ std::string RunCheckpoints::whyNone() const {
 }
 
 Checkpoint RunCheckpoints::saved() {
+  run_.total.lap();
   Checkpoint saved;
   saved.sceneFile = run_.scene.file;
   if (!run_.scene.meshFile.empty()) saved.meshFile = std::filesystem::absolute(run_.scene.meshFile);
@@ -128,7 +129,6 @@ void RunCheckpoints::resume(const Checkpoint& saved) {
 /// What is done alike behind a checkpoint, by a run that goes on and by one that is resumed.
 void RunCheckpoints::goOn() {
   run_.state.a.resize(3, 0);
-  run_.output->certificates().forget();
   run_.watch.goOnWithEvents(run_.result.steps);
   run_.recordEnergies();
 }

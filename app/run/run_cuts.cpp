@@ -34,6 +34,7 @@ void RunCuts::make(const Scene::Cut& wanted) {
   record.step = run_.result.steps;
   record.time = run_.state.time;
   record.elementsBefore = static_cast<std::int64_t>(run_.body.mesh().elementCount());
+  run_.output->open();
   run_.scheme->stepper().complete(run_.state);
   run_.recordEnergies();
   if (wanted.criticalStep) record.before = run_.criticalStepHere();

@@ -120,7 +120,7 @@ void RunOutput::writeFrameBetween(const NodeVectors& x, const NodeVectors& v, co
   while (nextFrame_ <= reached) nextFrame_ = static_cast<double>(++framesDue_) * interval;
 }
 
-void RunOutput::finish(RunResult& result, const State& state, const FrameState& last) {
+void RunOutput::finish(RunResult& result, const State& state, const FrameState* last) {
   open();
   if (history_) history_->finish();
   result.files.emplace_back("history.csv");
@@ -129,7 +129,7 @@ void RunOutput::finish(RunResult& result, const State& state, const FrameState& 
     result.files.emplace_back("probes.csv");
   }
   if (frames_) {
-    if (result.reason != ExitReason::nonFinite && lastFrame_ != result.steps) writeFrame(result.steps, state, last);
+    if (last && lastFrame_ != result.steps) writeFrame(result.steps, state, *last);
     frames_->removeStale();
     result.frames = frames_->count();
     result.files.push_back(fmt::format("run.pvd ({} frames)", frames_->count()));

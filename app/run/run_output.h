@@ -32,6 +32,8 @@ class RunOutput {
   /// Removes what an earlier run left and begins history and frames, once: until it is known that there is a first
   /// step, old results stay.
   void open();
+  /// There are results of this run.
+  bool isOpen() const { return open_; }
   /// The first row of probes.csv, where one is wanted; call it before open() or resume().
   void probesBegin(std::string heading) { probesHeading_ = std::move(heading); }
   /// Goes on behind what was there at a checkpoint before that step; call it in place of open().
@@ -57,9 +59,9 @@ class RunOutput {
   /// A frame at positions and velocities between steps.
   void writeFrameBetween(const NodeVectors& x, const NodeVectors& v, const FrameState& frame);
   RunCertificates& certificates() { return *certificates_; }
-  /// Ends history and frames, the last frame of which is `last` unless it is there or not finite, draws the picture and
-  /// lists the files in the result.
-  void finish(RunResult& result, const State& state, const FrameState& last);
+  /// Ends history and frames, the last frame of which is `last` unless it is there (nullptr: none), draws the picture
+  /// and lists the files in the result.
+  void finish(RunResult& result, const State& state, const FrameState* last);
 
  private:
   void beginFiles();

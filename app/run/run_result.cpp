@@ -1,8 +1,25 @@
 #include <ringwatch/app/run/run_result.h>
 
 #include <algorithm>
+#include <new>
+
+#include <fmt/format.h>
 
 namespace ringwatch {
+
+ExitReason reasonToStop(const MonitorReport& report) {
+  return report.bracket ? ExitReason::violated : ExitReason::nonFinite;
+}
+
+std::string textOfStop(const MonitorReport& report) {
+  return report.bracket ? fmt::format("stopped before step {}, which is violated", report.step)
+                        : fmt::format("stopped before step {}: the tangent is not finite", report.step);
+}
+
+std::string faultText(const std::exception& fault) {
+  return dynamic_cast<const std::bad_alloc*>(&fault) ? "out of memory; use a smaller mesh or more memory"
+                                                     : fault.what();
+}
 
 bool RunResult::energyOff() const {
   return std::any_of(events.begin(), events.end(),

@@ -1,5 +1,7 @@
 #pragma once
+#include <exception>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,7 +22,8 @@ enum class ExitReason {
   nonFinite,      ///< positions or velocities are no longer numbers
   stepCollapsed,  ///< reducing the step led to no step that can be certified
   stepFailed,     ///< the integrator could not take the step
-  interrupted     ///< from outside
+  interrupted,    ///< from outside
+  failed          ///< an error: no memory, a full disk, what could not be computed
 };
 inline constexpr auto exitReasonNames = nameTable<ExitReason>({
     {ExitReason::end, "end"},
@@ -29,8 +32,22 @@ inline constexpr auto exitReasonNames = nameTable<ExitReason>({
     {ExitReason::stepCollapsed, "step-collapsed"},
     {ExitReason::stepFailed, "step-failed"},
     {ExitReason::interrupted, "interrupted"},
+    {ExitReason::failed, "failed"},
 });
 constexpr std::string_view exitReasonName(ExitReason reason) { return exitReasonNames.nameOf(reason); }
+
+/// Thrown by a run that has begun and could not even write its summary.
+class RunFailed : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+/// Why a run stops before a step whose verdict is violated, and how it says so: no step is stable where the tangent is
+/// not finite, and there is no bracket then.
+ExitReason reasonToStop(const MonitorReport& report);
+std::string textOfStop(const MonitorReport& report);
+
+/// What an error that ended a run says, in one line.
+std::string faultText(const std::exception& fault);
 
 /// What a handler did in a run.
 struct Handling {
@@ -144,6 +161,8 @@ struct RunResult {
   /// Reached its end, took no step that was proven unstable, kept its energy in balance, and was certified unless
   /// nothing was to prove it: exitStatus() is ExitStatus::done.
   bool stable() const { return exitStatus() == ExitStatus::done; }
+  /// A checkpoint of it is worth keeping.
+  bool canGoOn() const { return reason == ExitReason::interrupted || reason == ExitReason::failed; }
   /// Every step that was watched was certified, and there was one.
   bool certified() const { return watchedSteps > 0 && certifiedSteps == watchedSteps; }
   /// Nothing beyond the monitor's first observation was certified, though there was more; or nothing could be, of a
@@ -159,7 +178,7 @@ struct RunResult {
   std::string_view verdict() const;
 };
 
-/// Balance error over the largest energy so far that counts as a runaway.
+/// Balance error over its measure (EnergyScale) that counts as a runaway.
 inline constexpr double runawayShare = 0.1;
 
 }  // namespace ringwatch

@@ -15,6 +15,7 @@
 #include <ringwatch/app/run/stopwatch.h>
 #include <ringwatch/app/scene/scene_state.h>
 #include <ringwatch/base/atomic_file.h>
+#include <ringwatch/base/error.h>
 
 namespace ringwatch {
 namespace {
@@ -25,23 +26,36 @@ class Runner {
       : run_(scene, body, options), cuts_(run_), erosion_(run_), checkpoints_(run_), progress_(options.progress) {}
 
   RunResult go() {
-    {
-      const Stopwatch total(run_.result.wallTime);
-      begin();
-      step();
-      progress_.clear();
-      if (run_.result.reason == ExitReason::interrupted)
-        if (std::string note = checkpoints_.howToGoOn(); !note.empty()) run_.result.notes.push_back(std::move(note));
-      run_.finish();
-    }
+    begin();
+    orFail([this] { step(); });
+    progress_.clear();
+    if (run_.result.reason == ExitReason::interrupted)
+      if (std::string note = checkpoints_.howToGoOn(); !note.empty()) run_.result.notes.push_back(std::move(note));
+    orFail([this] { run_.finish(); });
     run_.result.files.emplace_back("summary.json");
-    writeFileAtomically(run_.options.folder / "summary.json", summary().dump(2) + "\n");
+    try {
+      writeFileAtomically(run_.options.folder / "summary.json", summary().dump(2) + "\n");
+    } catch (const std::exception& fault) {
+      throw RunFailed(run_.result.reason == ExitReason::failed ? run_.result.reasonText : faultText(fault));
+    }
     std::error_code ignored;
-    if (run_.result.reason == ExitReason::end) std::filesystem::remove(run_.options.folder / checkpointFile, ignored);
+    if (!run_.result.canGoOn()) std::filesystem::remove(run_.options.folder / checkpointFile, ignored);
     return std::move(run_.result);
   }
 
  private:
+  /// An error ends a run that has begun as any other reason does; before that it is the caller's.
+  template <class Work>
+  void orFail(const Work& work) {
+    try {
+      work();
+    } catch (const std::exception& fault) {
+      if (!run_.output->isOpen() && !dynamic_cast<const NumericalError*>(&fault)) throw;
+      if (run_.result.reason != ExitReason::failed)
+        run_.end(ExitReason::failed, fmt::format("step {}: {}", run_.result.steps, faultText(fault)));
+    }
+  }
+
   void begin() {
     {
       const Stopwatch output(run_.result.outputTime);
@@ -78,14 +92,14 @@ class Runner {
       run_.checkEnergies(k);
       run_.record(report, rowDue);
       tellListener(report);
-      if (run_.stopsAt(report))
-        return run_.end(ExitReason::violated, fmt::format("stopped before step {}, which is violated", k));
+      if (run_.stopsAt(report)) return run_.end(reasonToStop(report), textOfStop(report));
       if (!run_.takeStep(report)) return;
       showProgress(report);
     }
   }
 
-  nlohmann::ordered_json summary() const {
+  nlohmann::ordered_json summary() {
+    run_.total.lap();
     nlohmann::ordered_json json = summaryJson(run_.scene, run_.body, run_.result);
     json["provenance"] = run_.options.provenance;
     if (run_.options.provenance.is_object())

@@ -28,7 +28,8 @@ struct RunOptions {
 /// Runs a scene on its body, to which a handler may add mass and which cuts replace: before each step the monitor
 /// observes at the state, then the integrator takes the step. Writes history.csv, summary.json, what [output] asks for
 /// and the picture into options.folder, however the run ends; only then does it give up the folder. Throws InputError
-/// when the folder cannot be written or another run is writing into it, before anything is computed.
+/// when the folder cannot be written or another run is writing into it, before anything is computed, and RunFailed when
+/// not even the summary can be written.
 RunResult runScene(const Scene& scene, Body& body, const RunOptions& options);
 
 }  // namespace ringwatch

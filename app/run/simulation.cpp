@@ -71,16 +71,23 @@ Simulation::Simulation(const Scene& s, Body& b, const RunOptions& o)
 
 void Simulation::beginWatch() {
   if (body.elementDamping()) body.elementDamping()->forgetRates();
+  if (output) output->certificates().forget();  // what was observed last may be of another body
   Stepper& stepper = scheme->stepper();
   watch.begin(scheme->handler(), stepper.metric(), stepper.mostSteps() == 1);
 }
 
-void Simulation::handleAgain() {
+bool Simulation::handleAgain() {
   watch.end();  // it watches what the choice replaces
   preparedFor_ = steps.step();
   const double before = kineticEnergy(body, state.v);
   const Eigen::VectorXd mass = body.lumpedMass();
-  scheme->prepare(state.x, preparedFor_);
+  try {
+    scheme->prepare(state.x, preparedFor_);
+  } catch (const NumericalError& fault) {
+    end(ExitReason::stepFailed,
+        fmt::format("step {}: the handler cannot choose again: {}", result.steps, fault.what()));
+    return false;
+  }
   // Mass that is added comes with the velocity of its node. It must not push a body that nothing holds.
   if (mass != body.lumpedMass()) {
     if (!body.constraints().any()) keepMomenta(body, mass, state.x, state.v);
@@ -88,6 +95,7 @@ void Simulation::handleAgain() {
   }
   state.a.resize(3, 0);
   beginWatch();
+  return true;
 }
 
 std::int64_t Simulation::stepsToObservation(std::int64_t k) {
@@ -121,12 +129,9 @@ MonitorReport Simulation::handleMore(MonitorReport report, bool rowDue) {
       (report.verdict == Verdict::certified && !scheme->handler()->asksForChoice()) || !(steps.step() > 0) ||
       !state.x.allFinite())
     return report;
-  try {
+  {
     const Stopwatch measured(result.monitorTime);
-    handleAgain();
-  } catch (const NumericalError& fault) {
-    choiceFault_ = fault.what();
-    return report;
+    if (!handleAgain()) return report;
   }
   MonitorReport more = observeOnce(report.step, rowDue);
   // Those of the explicit elements are of a choice that no step was taken with.
@@ -191,10 +196,7 @@ void Simulation::setLoads() {
 }
 
 bool Simulation::acceptState(const MonitorReport& report) {
-  if (!choiceFault_.empty()) {
-    end(ExitReason::stepFailed, fmt::format("step {}: the handler cannot choose again: {}", report.step, choiceFault_));
-    return false;
-  }
+  if (result.reason != ExitReason::end) return false;
   const bool finite = isFinite(state, body.threads());
   if (!finite)
     end(ExitReason::nonFinite, fmt::format("positions or velocities are not finite after step {}", report.step));
@@ -226,7 +228,7 @@ bool Simulation::chooseStep(MonitorReport& report) {
   if (scheme->handler() && !scene.step && steps.step() != preparedFor_) {
     {
       const Stopwatch measured(result.monitorTime);
-      handleAgain();
+      if (!handleAgain()) return false;
       watch.goOnWithEvents(report.step);
     }
     MonitorReport fresh = observeOnce(report.step, rowDue_);
@@ -307,7 +309,7 @@ bool Simulation::takeStep(const MonitorReport& report) {
   while (taken.steps == 0 && scheme->handler() && scene.reduceOnFailure && steps.halve()) {
     result.notes.push_back(
         fmt::format("step {}: {}; the step is halved to {:.6g} s", report.step, taken.fault, steps.step()));
-    handleAgain();
+    if (!handleAgain()) return false;
     taken = take(1);
   }
   if (taken.steps == 0) {
@@ -332,26 +334,30 @@ void Simulation::end(ExitReason reason, std::string text) {
 }
 
 void Simulation::finish() {
-  scheme->stepper().complete(state);
+  const bool whole = result.reason != ExitReason::failed;
+  if (whole) scheme->stepper().complete(state);
   result.time = state.time;
   result.x = state.x;
-  if (result.reason == ExitReason::end && !isFinite(state, body.threads()))
+  const bool finite = isFinite(state, body.threads());
+  if (result.reason == ExitReason::end && !finite)
     end(ExitReason::nonFinite, fmt::format("positions or velocities are not finite after step {}", result.steps));
   // Nothing is known of the last state but what was known of the step that led to it.
   MonitorReport report;
   report.verdict = lastVerdict;
   report.certified = std::numeric_limits<double>::quiet_NaN();
-  const FrameState last = frameOf(report);
+  const FrameState last = whole ? frameOf(report) : FrameState();
   watch.end();
   recorder.noteWhatIsNotCertified(body.mesh());
-  if (result.discrete && result.discrete->governed > 0 && !scene.contacts.empty())
-    result.discrete->room = penaltyRoom(scene, body, result.largestStep);
-  if (const Handler* handler = scheme->handler())
-    result.handler->figures = scheme->stepper().figures(handler->figures());
-  if (std::string note = scheme->stepper().note(); !note.empty()) result.notes.push_back(std::move(note));
+  if (whole) {
+    if (result.discrete && result.discrete->governed > 0 && !scene.contacts.empty())
+      result.discrete->room = penaltyRoom(scene, body, result.largestStep);
+    if (const Handler* handler = scheme->handler())
+      result.handler->figures = scheme->stepper().figures(handler->figures());
+    if (std::string note = scheme->stepper().note(); !note.empty()) result.notes.push_back(std::move(note));
+  }
   result.runaway = energies.runaway();
   const Stopwatch measured(result.outputTime);
-  output->finish(result, state, last);
+  output->finish(result, state, whole && finite ? &last : nullptr);
 }
 
 }  // namespace ringwatch

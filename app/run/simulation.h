@@ -11,6 +11,7 @@
 #include <ringwatch/app/run/run_watch.h>
 #include <ringwatch/app/run/runner.h>
 #include <ringwatch/app/run/step_policy.h>
+#include <ringwatch/app/run/stopwatch.h>
 #include <ringwatch/app/run/timed_loads.h>
 
 namespace ringwatch {
@@ -29,7 +30,7 @@ class Simulation {
   /// pass over the elements serves the scheme, the energy balance and, where it watches the whole body, the monitor.
   /// rowDue: the energies are wanted.
   MonitorReport observe(std::int64_t k, bool rowDue);
-  /// False when the state is not finite, which ends the run.
+  /// False when the run has ended, which a state that is not finite makes it.
   bool acceptState(const MonitorReport& report);
   /// Chooses the step from a report of the state. False when none can be had, which ends the run.
   bool chooseStep(MonitorReport& report);
@@ -44,7 +45,8 @@ class Simulation {
   /// Takes steps from the state, one or as many as are not to be observed. False when the first failed, which ends the
   /// run.
   bool takeStep(const MonitorReport& report);
-  /// Completes the state, notes what the run has come to and ends its files.
+  /// Completes the state, notes what the run has come to and ends its files. Of a run that failed, parts may be
+  /// missing: its state stays as it is.
   void finish();
 
   /// The run ends here; text is one line.
@@ -64,6 +66,7 @@ class Simulation {
   StepPolicy steps;
   TimedLoads loads;
   RunResult result;
+  Stopwatch total{result.wallTime};
   RunRecorder recorder;
   RunWatch watch;
   RunProbes probes;
@@ -75,7 +78,8 @@ class Simulation {
  private:
   MonitorReport observeOnce(std::int64_t k, bool rowDue);
   MonitorReport handleMore(MonitorReport report, bool rowDue);
-  void handleAgain();
+  /// The handler chooses for the step at the state. False where it cannot, which ends the run.
+  bool handleAgain();
   void askFor(bool rowDue, bool probesDue);
   void lookAhead();
   void evaluate();
@@ -91,7 +95,6 @@ class Simulation {
   bool dampsAtState_ = false;  // the evaluation has the damping of elements at the velocities of the state
   bool rowDue_ = false;        // at the state that was observed last
   double preparedFor_ = 0;     // s, the step that the handler chose for
-  std::string choiceFault_;    // why it could not choose again
 };
 
 }  // namespace ringwatch

@@ -7,7 +7,13 @@ namespace ringwatch {
 class Stopwatch {
  public:
   explicit Stopwatch(double& total) : total_(total), start_(Clock::now()) {}
-  ~Stopwatch() { total_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
+  ~Stopwatch() { lap(); }
+  /// The total has all so far.
+  void lap() {
+    const Clock::time_point now = Clock::now();
+    total_ += std::chrono::duration<double>(now - start_).count();
+    start_ = now;
+  }
   Stopwatch(const Stopwatch&) = delete;
   Stopwatch& operator=(const Stopwatch&) = delete;
 

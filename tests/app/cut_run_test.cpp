@@ -1,5 +1,7 @@
 // Runs whose mesh is cut on the way.
 #include <cmath>
+#include <filesystem>
+#include <set>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -65,6 +67,30 @@ TEST_F(Program, CutsAndKeepsItsStep) {
   const Outcome plain = call(scene + " --out plain --set handler.method=none --set monitor.on_violation=stop");
   EXPECT_EQ(plain.status, 1) << plain.out;
   EXPECT_LT(json("plain/summary.json")["end_time"].get<double>(), 0.06);
+}
+
+// What was observed before a cut is of another body: certificates behind it are of the cut one.
+TEST_F(Program, CutsWithCertificates) {
+  const std::string scene = "run '" RINGWATCH_EXAMPLES
+                            "/four_cuts.toml' --set integrator.end=0.06 --set handler.method=none --set output.every=1 "
+                            "--set monitor.certificates=40 --set monitor.on_violation=";
+  for (const std::string choice : {"stop", "warn"}) {
+    const Outcome outcome = call(scene + choice + " --out " + choice);
+    EXPECT_EQ(outcome.status, 1) << outcome.err << outcome.out;
+    const Json summary = json(choice + "/summary.json");
+    EXPECT_EQ(summary["exit_reason"], choice == "stop" ? "violated" : "end");
+    ASSERT_EQ(summary["cuts"].size(), 1u);
+    const std::size_t before = 9 * 5 * 5;
+    std::set<std::string> sizes;
+    for (const auto& file : std::filesystem::directory_iterator(folder_.path() / choice / "certificates")) {
+      const std::string bytes = folder_.read(file.path());
+      const std::size_t at = bytes.find("\nnodes ");
+      ASSERT_NE(at, std::string::npos);
+      sizes.insert(bytes.substr(at + 7, bytes.find('\n', at + 1) - at - 7));
+    }
+    EXPECT_EQ(sizes,
+              (std::set<std::string>{std::to_string(before), std::to_string(summary["mesh"]["nodes"].get<int>())}));
+  }
 }
 
 TEST_F(Program, RarerRowsLeaveTheEnergiesOfACutRunAlone) {

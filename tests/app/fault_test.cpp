@@ -69,6 +69,12 @@ class Faults : public test::Program {
   Outcome call(const std::string& arguments, const std::string& before = "") {
     return shell("( " + before + "ringwatch " + arguments + " )");
   }
+  /// A run that had begun: no bad input, and one line says why.
+  static void expectFailed(const Outcome& outcome, const std::string& what) {
+    EXPECT_EQ(outcome.status, 1) << outcome.err;
+    EXPECT_THAT(outcome.err, AllOf(StartsWith("ringwatch: step "), HasSubstr(what), EndsWith("\n")));
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  }
   using Program::expectRefused;
   void expectRefused(const std::string& arguments, const std::string& what) {
     SCOPED_TRACE(arguments);
@@ -258,6 +264,21 @@ TEST_F(Faults, SignalsEndARunWithItsResults) {
   }
 }
 
+// While the mesh is read, too: a wish is for later, and one to end waits for the first step.
+TEST_F(Faults, SignalsThatComeBeforeTheFirstStepEndTheRunThere) {
+  ASSERT_EQ(call("mesh generate bar --size 0.1 0.02 0.02 --cells 5 1 1 -o whole.msh").status, 0);
+  std::string scene = withoutPicture;
+  scene.replace(0, scene.find("[material]"), "[mesh]\nfile = \"pipe.msh\"\n");
+  folder_.write("piped.toml", scene);
+  const Outcome outcome =
+      shell("mkfifo pipe.msh; '" RINGWATCH_PROGRAM
+            "' run piped.toml --out r & p=$!; exec 3>pipe.msh; kill -USR1 $p; kill -TERM $p; cat whole.msh >&3; "
+            "exec 3>&-; wait $p");
+  EXPECT_EQ(outcome.status, 4) << outcome.err;
+  EXPECT_EQ(json("r/summary.json")["exit_reason"], "interrupted");
+  EXPECT_EQ(json("r/summary.json")["steps"], 0);
+}
+
 TEST_F(Faults, AnIgnoredHangUpStaysIgnored) {
   const pid_t child = startLongRun(true);
   ::kill(child, SIGHUP);
@@ -293,14 +314,20 @@ TEST_F(Faults, AFrameThatDoesNotFitIsOneLine) {
   // systems: looking for it must not hide the reason.
   const Outcome outcome = call("run tiny.toml --out r --set output.every=0.01 --set mesh.cells=[40,10,10]",
                                "export TZ=:/missing; ulimit -f 20; ");
-  expectRefused(outcome, "cannot write r/frames/frame_000001.vtu: File too large");
+  expectFailed(outcome, "cannot write r/frames/frame_000001.vtu: File too large");
   expectNothingHalfWritten("r");
+  const Json summary = json("r/summary.json");
+  EXPECT_EQ(summary["exit_reason"], "failed");
+  EXPECT_THAT(summary["exit_text"].get<std::string>(), HasSubstr("frame_000001.vtu"));
+  EXPECT_EQ(summary["exit_status"], 1);
+  EXPECT_EQ(summary["stable"], false);
+  EXPECT_THAT(lines("r/history.csv").back(), StartsWith(std::to_string(summary["steps"].get<int>()) + ","));
 }
 
 TEST_F(Faults, AHistoryThatDoesNotFitKeepsItsWholeRows) {
   if (checksThreads) GTEST_SKIP() << "the thread sanitizer writes a file of its own when it starts";
   const Outcome outcome = call("run tiny.toml --out r --set integrator.end=1", "ulimit -f 8; ");
-  expectRefused(outcome, "cannot write r/history.csv: File too large");
+  expectFailed(outcome, "cannot write r/history.csv: File too large");
   EXPECT_THAT(folder_.read("r/history.csv"), EndsWith("\n"));
 }
 

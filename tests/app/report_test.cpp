@@ -89,6 +89,11 @@ TEST_F(Report, HoldsVerdictSectionsAndNothingFromElsewhere) {
   const std::string markup = html.substr(0, html.find("<script"));
   EXPECT_FALSE(std::regex_search(markup, std::regex("(src|href)=\"(https?:)?//|url\\(\\s*[\"']?http|@import")));
   EXPECT_EQ(summary["provenance"]["command"], "ringwatch run tiny.toml --set 'integrator.step=5e-4'");
+  // As a shell takes it again.
+  std::filesystem::copy_file(folder_.path() / "tiny.toml", folder_.path() / "it's tiny.toml");
+  ASSERT_EQ(call("run \"it's tiny.toml\" --out quoted --set integrator.end=2e-3").status, 0);
+  EXPECT_EQ(json("quoted/summary.json")["provenance"]["command"],
+            "ringwatch run 'it'\\''s tiny.toml' --set 'integrator.end=2e-3'");
   EXPECT_EQ(summary["provenance"]["scene_text"], tiny);
 }
 

@@ -131,6 +131,38 @@ TEST_F(Program, StopsBeforeAStepThatIsProvenUnstable) {
   expectNothingHalfWritten("r");
 }
 
+// No step is stable there, and none is too large: that is not what "violated" says. A run that has ended so leaves no
+// checkpoint behind.
+TEST_F(Program, EndsAsNotFiniteWhereTheTangentIs) {
+  std::string scene = tiny;
+  scene.replace(scene.find("stvk"), 4, "neo-hookean");
+  folder_.write("pressed.toml", scene);
+  const Outcome outcome = call(
+      "run pressed.toml --out r --set integrator.step=auto --set monitor.on_violation=stop "
+      "--set move.0.velocity=[-12,0,0] --set output.every=1 --set output.checkpoint_every=1e-3");
+  EXPECT_EQ(outcome.status, 1) << outcome.err;
+  const Json summary = json("r/summary.json");
+  EXPECT_EQ(summary["exit_reason"], "non-finite") << outcome.out;
+  EXPECT_TRUE(summary["first_violated"].is_null());
+  bool told = false;
+  for (const Json& event : summary["events"]) told = told || event["kind"] == "non-finite";
+  EXPECT_TRUE(told);
+  EXPECT_FALSE(exists("r/checkpoint.bin"));
+}
+
+// The fields that nobody wrote are those that the scheme has.
+TEST_F(Program, WritesFramesOfSchemesWithoutACriticalStep) {
+  std::string scene = tiny;
+  scene.erase(scene.find("fields"));
+  folder_.write("implicit.toml", scene);
+  const Outcome outcome = call("run implicit.toml --out r --set integrator.method=implicit-euler");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(json("r/summary.json")["frames"], 6);
+  EXPECT_THAT(folder_.read("r/frames/frame_000001.vtu"), ::testing::Not(HasSubstr("critical_step")));
+  expectRefused("run implicit.toml --out no --set integrator.method=implicit-euler --set output.fields=[critical_step]",
+                "has no critical step");
+}
+
 TEST_F(Program, WarnsAndEndsWithTheLastGoodFrameWhenItBlowsUp) {
   folder_.write("tiny.toml", tiny);
   const Outcome outcome = call(
