@@ -220,5 +220,26 @@ TEST_P(EveryHandler, GoesOnAfterACutWithTheChoiceMadeBefore) {
   EXPECT_LE(conserved.energy(state), 1.02 * start);
 }
 
+TEST(RegisteredHandler, CannotClaimTheStepsThatAGpuHasOfAnother) {
+  const HandlerEntry* onGpu = nullptr;
+  for (const HandlerEntry& entry : allHandlers())
+    if (entry.info->forGpu) onGpu = &entry;
+  ASSERT_TRUE(onGpu);
+  static HandlerInfo info;
+  info = *onGpu->info;
+  info.name = "of-a-program";
+  info.alias = "";
+  const std::size_t before = allHandlers().size();
+  try {
+    registerHandler({&info, onGpu->make});
+    ADD_FAILURE() << "it is registered";
+  } catch (const InputError& fault) {
+    EXPECT_STREQ(fault.what(),
+                 "handler \"of-a-program\": has forGpu, but a GPU takes the steps of the library's own handlers alone; "
+                 "leave it out");
+  }
+  EXPECT_EQ(allHandlers().size(), before);
+}
+
 }  // namespace
 }  // namespace ringwatch

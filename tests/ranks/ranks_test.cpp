@@ -566,6 +566,10 @@ TEST_F(RanksProgram, TellsOfAnUnstableStep) {
   EXPECT_EQ(three["events"][0]["step"], alone["events"][0]["step"]);
   EXPECT_EQ(three["first_violated"], alone["first_violated"]);
   EXPECT_TRUE(three["events"][0]["element"]["id"].is_number());
+  EXPECT_TRUE(three["events"][0]["cause"].is_string());
+  if (three["events"][0]["element"] == alone["events"][0]["element"]) {
+    EXPECT_EQ(three["events"][0]["cause"], alone["events"][0]["cause"]);
+  }
   EXPECT_EQ(onRanks(1, "scene.toml --out one " + settings).status, 1);
   EXPECT_EQ(summaryOf("one"), summaryOf("three"));
   // Gone on with, it ends where positions are no longer numbers, or its energy ran away.
