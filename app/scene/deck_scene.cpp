@@ -27,27 +27,50 @@ using detail::DeckLines;
 using detail::inUpperCase;
 using Json = nlohmann::ordered_json;
 
-/// What is done with a keyword.
+/// What is done with a keyword, or with a parameter of one.
 enum class DeckRule {
-  mesh,       // read with the mesh
-  harmless,   // no effect on the motion
-  output,     // asks for results
-  taken,      // below
-  load,       // refused in a run; at rest it does not matter
-  procedure,  // likewise
-  refused     // changes the body
+  mesh,         // read with the mesh
+  harmless,     // no effect on the motion
+  output,       // asks for results
+  taken,        // below
+  takenInRun,   // likewise; at rest it does not matter
+  temperature,  // strains a body with *EXPANSION, and is harmless without
+  expansion,    // harmless without temperatures
+  load,         // refused in a run; at rest it does not matter
+  procedure,    // likewise
+  refused       // changes the body
 };
 struct DeckKeywordRule {
   std::string_view name;  // without blanks, as CalculiX compares them
   DeckRule rule;
   std::string_view why = {};
 };
+/// A parameter of a keyword, without blanks. The first row whose value is that of the deck counts; "" is any value.
+struct DeckParameterRule {
+  std::string_view keyword, parameter, value;
+  DeckRule rule;
+  std::string_view why = {};  // with `harmless`: what is told
+};
 
 constexpr std::string_view noContact = "contact adds stiffness that the bracket would have to know";
 constexpr std::string_view noConstraint = "ties degrees of freedom to each other";
 constexpr std::string_view noLaw = "there is no such law";
 constexpr std::string_view noStructure = "there are solid elements only";
+constexpr std::string_view noElement = "there is no such element";
 constexpr std::string_view notDynamic = "is no *DYNAMIC step";
+constexpr std::string_view notWritten =
+    "makes or moves nodes or elements and is not supported; write them out with *NODE and *ELEMENT";
+constexpr std::string_view noTemperature = "there are no temperatures";
+constexpr std::string_view addsMass =
+    "adds mass, which changes the step; handler.method = \"mass-scaling\" of a scene does that";
+constexpr std::string_view notAtRest =
+    "changes the tangent and with it the critical step, and a body begins without stress here; leave it out, or give "
+    "the state by its displacement: ringwatch inspect STATE.vtu --displacement FIELD";
+constexpr std::string_view otherMaterials = "changes the tangent from point to point";
+constexpr std::string_view ownEstimate = "the program's own estimate of the step; the proven bracket stands for it";
+constexpr std::string_view ofImplicit = "controls an implicit scheme, and the scheme here is explicit";
+constexpr std::string_view elsewhere = "takes values from elsewhere";
+constexpr std::string_view laterInTime = "moves the times of its amplitude";
 
 /// Every keyword that is known. One that is not here is refused.
 constexpr DeckKeywordRule keywordRules[] = {
@@ -84,6 +107,7 @@ constexpr DeckKeywordRule keywordRules[] = {
     {"FILEFORMAT", DeckRule::output},
     {"PRINT", DeckRule::output},
     {"MONITOR", DeckRule::output},
+    {"RESTART", DeckRule::output},
     {"MATERIAL", DeckRule::taken},
     {"ELASTIC", DeckRule::taken},
     {"HYPERELASTIC", DeckRule::taken},
@@ -91,15 +115,15 @@ constexpr DeckKeywordRule keywordRules[] = {
     {"DAMPING", DeckRule::taken},
     {"SOLIDSECTION", DeckRule::taken},
     {"BOUNDARY", DeckRule::taken},
-    {"AMPLITUDE", DeckRule::taken},
+    {"AMPLITUDE", DeckRule::takenInRun},
     {"INITIALCONDITIONS", DeckRule::taken},
     {"STEP", DeckRule::taken},
     {"ENDSTEP", DeckRule::taken},
     {"DYNAMIC", DeckRule::taken},
-    {"CLOAD", DeckRule::taken},
-    {"DLOAD", DeckRule::taken},
-    {"DSLOAD", DeckRule::taken},
-    {"SURFACE", DeckRule::taken},
+    {"CLOAD", DeckRule::takenInRun},
+    {"DLOAD", DeckRule::takenInRun},
+    {"DSLOAD", DeckRule::takenInRun},
+    {"SURFACE", DeckRule::takenInRun},
     {"STATIC", DeckRule::procedure, notDynamic},
     {"FREQUENCY", DeckRule::procedure, notDynamic},
     {"COMPLEXFREQUENCY", DeckRule::procedure, notDynamic},
@@ -111,22 +135,21 @@ constexpr DeckKeywordRule keywordRules[] = {
     {"SUBSTRUCTUREGENERATE", DeckRule::procedure, notDynamic},
     {"NOANALYSIS", DeckRule::procedure, notDynamic},
     {"VISCO", DeckRule::procedure, notDynamic},
-    {"HEATTRANSFER", DeckRule::procedure, "there are no temperatures"},
-    {"COUPLEDTEMPERATURE-DISPLACEMENT", DeckRule::procedure, "there are no temperatures"},
-    {"UNCOUPLEDTEMPERATURE-DISPLACEMENT", DeckRule::procedure, "there are no temperatures"},
+    {"HEATTRANSFER", DeckRule::procedure, noTemperature},
+    {"COUPLEDTEMPERATURE-DISPLACEMENT", DeckRule::procedure, noTemperature},
+    {"UNCOUPLEDTEMPERATURE-DISPLACEMENT", DeckRule::procedure, noTemperature},
     {"MODALDAMPING", DeckRule::load, "damping by modes goes with no *DYNAMIC step"},
     {"SELECTCYCLICSYMMETRYMODES", DeckRule::load, notDynamic},
     {"RETAINEDNODALDOFS", DeckRule::load, notDynamic},
     {"SUBSTRUCTUREMATRIXOUTPUT", DeckRule::load, notDynamic},
     {"DESIGNVARIABLES", DeckRule::load, notDynamic},
     {"OBJECTIVE", DeckRule::load, notDynamic},
-    {"TEMPERATURE", DeckRule::load, "there are no temperatures"},
-    {"CFLUX", DeckRule::load, "there are no temperatures"},
-    {"DFLUX", DeckRule::load, "there are no temperatures"},
-    {"FILM", DeckRule::load, "there are no temperatures"},
-    {"RADIATE", DeckRule::load, "there are no temperatures"},
-    {"RESTART", DeckRule::load, "a run of another program cannot be gone on with"},
-    {"EXPANSION", DeckRule::load, "there are no temperatures"},
+    {"TEMPERATURE", DeckRule::temperature},
+    {"CFLUX", DeckRule::temperature},
+    {"DFLUX", DeckRule::temperature},
+    {"FILM", DeckRule::temperature},
+    {"RADIATE", DeckRule::temperature},
+    {"EXPANSION", DeckRule::expansion},
     {"PLASTIC", DeckRule::refused, noLaw},
     {"CREEP", DeckRule::refused, noLaw},
     {"CYCLICHARDENING", DeckRule::refused, noLaw},
@@ -147,6 +170,13 @@ constexpr DeckKeywordRule keywordRules[] = {
     {"CYCLICSYMMETRYMODEL", DeckRule::refused, noConstraint},
     {"PRE-TENSIONSECTION", DeckRule::refused, noConstraint},
     {"TRANSFORM", DeckRule::refused, "turns the axes of nodes"},
+    {"SYSTEM", DeckRule::refused, notWritten},
+    {"NGEN", DeckRule::refused, notWritten},
+    {"NFILL", DeckRule::refused, notWritten},
+    {"NCOPY", DeckRule::refused, notWritten},
+    {"ELGEN", DeckRule::refused, notWritten},
+    {"ELCOPY", DeckRule::refused, notWritten},
+    {"NMAP", DeckRule::refused, notWritten},
     {"SHELLSECTION", DeckRule::refused, noStructure},
     {"BEAMSECTION", DeckRule::refused, noStructure},
     {"BEAMGENERALSECTION", DeckRule::refused, noStructure},
@@ -156,6 +186,130 @@ constexpr DeckKeywordRule keywordRules[] = {
     {"DASHPOT", DeckRule::refused, noStructure},
     {"MASS", DeckRule::refused, noStructure},
     {"GAP", DeckRule::refused, noStructure},
+    {"NONSTRUCTURALMASS", DeckRule::refused, addsMass},
+    {"FIXEDMASSSCALING", DeckRule::refused, addsMass},
+    {"VARIABLEMASSSCALING", DeckRule::refused, addsMass},
+    {"MASSADJUST", DeckRule::refused, addsMass},
+    {"SECTIONCONTROLS", DeckRule::refused, "changes hourglass control, mass or viscosity of elements"},
+    {"FIELD", DeckRule::refused, otherMaterials},
+    {"PRESSURESTRESS", DeckRule::refused, notAtRest},
+    {"GEOSTATIC", DeckRule::refused, notAtRest},
+    {"MODELCHANGE", DeckRule::refused, "takes elements out of the body, or puts them in"},
+    {"IMPORT", DeckRule::refused, "goes on with the state of another run"},
+    {"MAPSOLUTION", DeckRule::refused, "goes on with the state of another run"},
+};
+
+/// Every parameter that is known of the keywords that are taken, and those of others that are not harmless. Of a
+/// keyword that is taken, one that is not here is refused.
+constexpr DeckParameterRule parameterRules[] = {
+    {"RESTART", "READ", "", DeckRule::refused, "goes on with the state of another run"},
+    {"MATERIAL", "NAME", "", DeckRule::taken},
+    {"ELASTIC", "TYPE", "ISO", DeckRule::taken},
+    {"ELASTIC", "TYPE", "ISOTROPIC", DeckRule::taken},
+    {"ELASTIC", "TYPE", "", DeckRule::refused, noLaw},
+    {"ELASTIC", "MODULI", "", DeckRule::taken},
+    {"ELASTIC", "DEPENDENCIES", "", DeckRule::refused, otherMaterials},
+    {"HYPERELASTIC", "NEOHOOKE", "", DeckRule::taken},
+    {"HYPERELASTIC", "MOONEY-RIVLIN", "", DeckRule::taken},
+    {"HYPERELASTIC", "MODULI", "", DeckRule::taken},
+    {"DENSITY", "DEPENDENCIES", "", DeckRule::refused, otherMaterials},
+    {"DAMPING", "ALPHA", "", DeckRule::taken},
+    {"DAMPING", "BETA", "", DeckRule::taken},
+    {"DAMPING", "STRUCTURAL", "", DeckRule::refused, "is of a vibration of one frequency"},
+    {"DAMPING", "COMPOSITE", "", DeckRule::refused, "is of modes"},
+    {"SOLIDSECTION", "ELSET", "", DeckRule::taken},
+    {"SOLIDSECTION", "MATERIAL", "", DeckRule::taken},
+    {"SOLIDSECTION", "ORIENTATION", "", DeckRule::taken},  // the laws have no axes
+    {"SOLIDSECTION", "NODALTHICKNESS", "", DeckRule::taken},
+    {"SOLIDSECTION", "CONTROLS", "", DeckRule::refused, "changes hourglass control, mass or viscosity of elements"},
+    {"SOLIDSECTION", "COMPOSITE", "", DeckRule::refused, "there are no layers"},
+    {"BOUNDARY", "AMPLITUDE", "", DeckRule::taken},
+    {"BOUNDARY", "TYPE", "DISPLACEMENT", DeckRule::taken},
+    {"BOUNDARY", "TYPE", "VELOCITY", DeckRule::taken},
+    {"BOUNDARY", "OP", "", DeckRule::taken},
+    {"BOUNDARY", "REGIONTYPE", "", DeckRule::taken},
+    {"BOUNDARY", "USER", "", DeckRule::refused, elsewhere},
+    {"BOUNDARY", "SUBMODEL", "", DeckRule::refused, elsewhere},
+    {"BOUNDARY", "FIXED", "", DeckRule::refused, "holds what a step before has moved"},
+    {"BOUNDARY", "LOADCASE", "", DeckRule::refused, "is of complex values"},
+    {"BOUNDARY", "TIMEDELAY", "", DeckRule::refused, laterInTime},
+    {"AMPLITUDE", "NAME", "", DeckRule::taken},
+    {"AMPLITUDE", "TIME", "TOTALTIME", DeckRule::taken},  // the only step begins at 0
+    {"AMPLITUDE", "TIME", "STEPTIME", DeckRule::taken},
+    {"AMPLITUDE", "DEFINITION", "TABULAR", DeckRule::taken},
+    {"AMPLITUDE", "VALUE", "RELATIVE", DeckRule::taken},
+    {"INITIALCONDITIONS", "TYPE", "VELOCITY", DeckRule::taken},
+    {"INITIALCONDITIONS", "TYPE", "TEMPERATURE", DeckRule::temperature},
+    {"INITIALCONDITIONS", "TYPE", "STRESS", DeckRule::refused, notAtRest},
+    {"INITIALCONDITIONS", "TYPE", "PLASTICSTRAIN", DeckRule::refused, notAtRest},
+    {"INITIALCONDITIONS", "TYPE", "DISPLACEMENT", DeckRule::refused, notAtRest},
+    {"INITIALCONDITIONS", "TYPE", "FIELD", DeckRule::refused, otherMaterials},
+    {"INITIALCONDITIONS", "TYPE", "", DeckRule::refused, "only velocities are taken"},
+    {"STEP", "NAME", "", DeckRule::taken},
+    {"STEP", "NLGEOM", "", DeckRule::taken},
+    {"STEP", "AMPLITUDE", "RAMP", DeckRule::taken},
+    {"STEP", "AMPLITUDE", "STEP", DeckRule::taken},
+    {"STEP", "INC", "", DeckRule::taken},  // counts of increments, and how a solution is found
+    {"STEP", "INCF", "", DeckRule::taken},
+    {"STEP", "EXTRAPOLATION", "", DeckRule::taken},
+    {"STEP", "CONVERTSDI", "", DeckRule::taken},
+    {"STEP", "UNSYMM", "", DeckRule::taken},
+    {"STEP", "SOLVER", "", DeckRule::taken},
+    {"STEP", "PERTURBATION", "", DeckRule::load, "begins with the stress of the steps before"},
+    {"DYNAMIC", "EXPLICIT", "", DeckRule::taken},
+    {"DYNAMIC", "DIRECT", "", DeckRule::taken},
+    {"DYNAMIC", "DIRECTUSERCONTROL", "", DeckRule::taken},
+    {"DYNAMIC", "SCALEFACTOR", "", DeckRule::taken},
+    {"DYNAMIC", "SOLVER", "", DeckRule::taken},
+    {"DYNAMIC", "ELEMENTBYELEMENT", "", DeckRule::harmless, ownEstimate},
+    {"DYNAMIC", "GLOBAL", "", DeckRule::harmless, ownEstimate},
+    {"DYNAMIC", "IMPROVEDDTMETHOD", "", DeckRule::harmless, ownEstimate},
+    {"DYNAMIC", "FIXEDTIMEINCREMENTATION", "", DeckRule::harmless,
+     "keeps the step that the program finds at the start, which no deck has; give integrator.step to keep one"},
+    {"DYNAMIC", "ADIABATIC", "", DeckRule::harmless, "heats by inelastic work, and elastic laws do none"},
+    {"DYNAMIC", "ALPHA", "", DeckRule::harmless, "damps in an implicit scheme; the explicit one here does not"},
+    {"DYNAMIC", "BETA", "", DeckRule::harmless, ofImplicit},
+    {"DYNAMIC", "GAMMA", "", DeckRule::harmless, ofImplicit},
+    {"DYNAMIC", "APPLICATION", "", DeckRule::harmless, ofImplicit},
+    {"DYNAMIC", "HAFTOL", "", DeckRule::harmless, ofImplicit},
+    {"DYNAMIC", "HALFINCSCALEFACTOR", "", DeckRule::harmless, ofImplicit},
+    {"DYNAMIC", "IMPACT", "", DeckRule::harmless, ofImplicit},
+    {"DYNAMIC", "INCREMENTATION", "", DeckRule::harmless, ofImplicit},
+    {"DYNAMIC", "INITIAL", "", DeckRule::harmless, ofImplicit},
+    {"DYNAMIC", "NOHAF", "", DeckRule::harmless, ofImplicit},
+    {"DYNAMIC", "SINGULARMASS", "", DeckRule::harmless, ofImplicit},
+    {"DYNAMIC", "TIMEINTEGRATOR", "", DeckRule::harmless, ofImplicit},
+    {"DYNAMIC", "SUBSPACE", "", DeckRule::load, "lets modes move alone"},
+    {"DYNAMIC", "TIMERESET", "", DeckRule::load, "moves the time that amplitudes go by"},
+    {"DYNAMIC", "TOTALTIMEATSTART", "", DeckRule::load, "moves the time that amplitudes go by"},
+    {"CLOAD", "AMPLITUDE", "", DeckRule::taken},
+    {"CLOAD", "OP", "", DeckRule::taken},
+    {"CLOAD", "REGIONTYPE", "", DeckRule::taken},
+    {"CLOAD", "FOLLOWER", "", DeckRule::refused, "turns with its node, and forces here do not"},
+    {"CLOAD", "TIMEDELAY", "", DeckRule::refused, laterInTime},
+    {"CLOAD", "USER", "", DeckRule::refused, elsewhere},
+    {"CLOAD", "SUBMODEL", "", DeckRule::refused, elsewhere},
+    {"CLOAD", "LOADCASE", "", DeckRule::refused, "is of complex values"},
+    {"CLOAD", "OMEGA0", "", DeckRule::refused, "is of cyclic symmetry"},
+    {"CLOAD", "SECTOR", "", DeckRule::refused, "is of cyclic symmetry"},
+    {"DLOAD", "AMPLITUDE", "", DeckRule::taken},
+    {"DLOAD", "OP", "", DeckRule::taken},
+    {"DLOAD", "REGIONTYPE", "", DeckRule::taken},
+    {"DLOAD", "TIMEDELAY", "", DeckRule::refused, laterInTime},
+    {"DLOAD", "USER", "", DeckRule::refused, elsewhere},
+    {"DLOAD", "LOADCASE", "", DeckRule::refused, "is of complex values"},
+    {"DLOAD", "SECTOR", "", DeckRule::refused, "is of cyclic symmetry"},
+    {"DSLOAD", "AMPLITUDE", "", DeckRule::taken},
+    {"DSLOAD", "OP", "", DeckRule::taken},
+    {"DSLOAD", "REGIONTYPE", "", DeckRule::taken},
+    {"DSLOAD", "TIMEDELAY", "", DeckRule::refused, laterInTime},
+    {"DSLOAD", "USER", "", DeckRule::refused, elsewhere},
+    {"DSLOAD", "SUBMODEL", "", DeckRule::refused, elsewhere},
+    {"DSLOAD", "LOADCASE", "", DeckRule::refused, "is of complex values"},
+    {"SURFACE", "NAME", "", DeckRule::taken},
+    {"SURFACE", "TYPE", "", DeckRule::taken},
+    {"SURFACE", "REGIONTYPE", "", DeckRule::taken},
+    {"SURFACE", "INTERNAL", "", DeckRule::taken},
 };
 
 std::string withoutBlanks(std::string name) {
@@ -166,6 +320,23 @@ std::string withoutBlanks(std::string name) {
 const DeckKeywordRule* findKeywordRule(std::string_view name) {
   const auto* found = std::ranges::find(keywordRules, name, &DeckKeywordRule::name);
   return found == std::end(keywordRules) ? nullptr : found;
+}
+
+const DeckParameterRule* findParameterRule(std::string_view keyword, std::string_view parameter,
+                                           const std::string& value) {
+  const auto* found = std::ranges::find_if(parameterRules, [&](const DeckParameterRule& rule) {
+    return rule.keyword == keyword && rule.parameter == parameter && (rule.value.empty() || rule.value == value);
+  });
+  return found == std::end(parameterRules) ? nullptr : found;
+}
+
+/// "A, B" of the parameters of a keyword that are taken.
+std::string takenParameters(std::string_view keyword) {
+  std::vector<std::string> names;
+  for (const DeckParameterRule& rule : parameterRules)
+    if (rule.keyword == keyword && rule.rule == DeckRule::taken)
+      names.push_back(fmt::format("{}{}{}", rule.parameter, rule.value.empty() ? "" : "=", rule.value));
+  return fmt::format("{}", fmt::join(names, ", "));
 }
 
 /// A solid element of a deck and the quadrature that CalculiX gives it (user's manual, "Element types").
@@ -184,8 +355,8 @@ constexpr DeckSolid solids[] = {
     {"C3D20R", "hex20", "gauss-2x2x2"},
     {"C3D8R", "", "", "its hourglass control is not ours"},
     {"C3D8I", "", "", "its incompatible modes are not ours"},
-    {"C3D10T", "", "", "there is no such element"},
-    {"C3D15", "", "", "there is no such element"},
+    {"C3D10T", "", "", noElement},
+    {"C3D15", "", "", noElement},
 };
 
 /// What is held or moved of a degree of freedom by a line of *BOUNDARY.
@@ -228,7 +399,7 @@ struct DeckMaterial {
   std::optional<double> density;
   std::optional<std::pair<double, double>> damping;  // of mass (1/s) and stiffness (s)
   std::size_t hyperelastic = 0, dampingAt = 0;       // positions of the keywords
-  std::string hyperelasticType = {};
+  bool mooneyRivlin = false;                         // else neo-Hooke
 };
 struct DeckSection {
   std::string elset, part, material;
@@ -254,6 +425,10 @@ class DeckReader {
       }
     }
     finishKeyword();
+    if (expansion_ && temperature_)
+      refuse(expansion_->position, fmt::format("*EXPANSION with the temperatures of *{} ({}): heat strains the body, "
+                                               "which changes its tangent and with it the critical step",
+                                               temperature_->name, placeOf(temperature_->position)));
     if (!refused_.empty()) refuseAll();
     scene_.sections["mesh"] = Json{{"file", file_.filename().string()}};
     scene_.origins["mesh"] = file_.string();
@@ -265,7 +440,9 @@ class DeckReader {
     writePressures();
     for (const auto& [name, surface] : surfaces_)
       if (!surface.used) leaveOut(surface.keyword);
-    if (!left_.empty()) note(fmt::format("{}: left out, they change no motion: {}", file_.string(), left_));
+    if (!left_.empty())
+      note(fmt::format("{}: left out, they {}: {}", file_.string(),
+                       forRun() ? "change no motion" : "do not matter to the step of the body at rest", left_));
     return std::move(scene_);
   }
 
@@ -312,33 +489,77 @@ class DeckReader {
     reading_ = Reading::nothing;
     dataLines_ = 0;
     const std::string name = withoutBlanks(keyword_.name);
+    std::map<std::string, std::string> parameters;
+    for (auto& [key, value] : keyword_.parameters) parameters[withoutBlanks(key)] = std::move(value);
+    keyword_.parameters = std::move(parameters);
     const DeckKeywordRule* rule = findKeywordRule(name);
     if (rule == nullptr) {
       refuse(keyword_.position, fmt::format("*{} is not known", shortened(keyword_.name)));
       return;
     }
-    switch (rule->rule) {
+    if (!follow(rule->rule, "*" + keyword_.name, rule->why) || !takesParameters(name, rule->rule)) return;
+    if (rule->rule == DeckRule::mesh) meshKeyword(name);
+    if (rule->rule == DeckRule::taken || (rule->rule == DeckRule::takenInRun && forRun())) take(name);
+  }
+  /// Does what the table says of a keyword or parameter. False where it is refused.
+  bool follow(DeckRule rule, const std::string& what, std::string_view why) {
+    const bool ofKeyword = what == "*" + keyword_.name;
+    switch (rule) {
       case DeckRule::mesh:
-        meshKeyword(name);
-        break;
+      case DeckRule::taken:
+        return true;
+      case DeckRule::takenInRun:
+        if (!forRun()) leaveOut(keyword_);
+        return true;
       case DeckRule::harmless:
+        if (!ofKeyword) {
+          if (forRun()) note(fmt::format("{}: {}: {}", lines_.where(keyword_.position), what, why));
+          return true;
+        }
+        [[fallthrough]];
       case DeckRule::output:
         leaveOut(keyword_);
-        break;
-      case DeckRule::load:
+        return true;
+      case DeckRule::temperature:
+        if (!temperature_) temperature_ = keyword_;
+        leaveOut(keyword_);
+        return true;
+      case DeckRule::expansion:
+        if (!expansion_) expansion_ = keyword_;
+        leaveOut(keyword_);
+        return true;
       case DeckRule::procedure:
-        if (forRun())
-          refuse(keyword_.position, fmt::format("*{}: {}", keyword_.name, rule->why));
-        else
-          leaveOut(keyword_);
-        break;
+        if (why == noTemperature && !temperature_) temperature_ = keyword_;
+        [[fallthrough]];
+      case DeckRule::load:
+        if (!forRun()) {
+          if (ofKeyword) leaveOut(keyword_);
+          return true;
+        }
+        [[fallthrough]];
       case DeckRule::refused:
-        refuse(keyword_.position, fmt::format("*{}: {}", keyword_.name, rule->why));
-        break;
-      case DeckRule::taken:
-        take(name);
-        break;
+        refuse(keyword_.position, fmt::format("{}: {}", what, why));
+        return false;
     }
+    return false;
+  }
+  /// Whether all that a keyword line says besides its name is done.
+  bool takesParameters(const std::string& name, DeckRule rule) {
+    const bool taken = rule == DeckRule::taken || (rule == DeckRule::takenInRun && forRun());
+    bool all = true;
+    for (const auto& [parameter, value] : keyword_.parameters) {
+      const std::string what =
+          fmt::format("*{}, {}{}{}", keyword_.name, shortened(parameter), value.empty() ? "" : "=", shortened(value));
+      if (const DeckParameterRule* known = findParameterRule(name, parameter, withoutBlanks(inUpperCase(value)))) {
+        if (taken || known->rule == DeckRule::refused) all = follow(known->rule, what, known->why) && all;
+      } else if (taken) {
+        const std::string takes = takenParameters(name);
+        refuse(keyword_.position,
+               fmt::format("{} is not taken; {}", what, takes.empty() ? "there are no parameters" : takes + " are"));
+        all = false;
+      }
+    }
+    return all;
   }
 
   void meshKeyword(const std::string& name) {
@@ -364,7 +585,8 @@ class DeckReader {
   void elementType(const std::string& type) {
     const auto* solid = std::ranges::find(solids, type, &DeckSolid::type);
     if (solid == std::end(solids)) {
-      refuse(keyword_.position, fmt::format("*ELEMENT, TYPE={}: {}", shortened(type), noStructure));
+      refuse(keyword_.position,
+             fmt::format("*ELEMENT, TYPE={}: {}", shortened(type), type.starts_with("C3D") ? noElement : noStructure));
     } else if (solid->element.empty()) {
       refuse(keyword_.position, fmt::format("*ELEMENT, TYPE={}: {}", type, solid->why));
     } else {
@@ -386,12 +608,11 @@ class DeckReader {
       if (keyword_.value("NAME").empty()) return refuseHere(" needs a name, NAME=");
       materials_.push_back({keyword_.value("NAME"), keyword_.position, {}, {}, {}});
     } else if (name == "ELASTIC") {
-      const std::string type = inUpperCase(keyword_.value("TYPE"));
-      if (!type.empty() && type != "ISO" && type != "ISOTROPIC")
-        return refuseHere(fmt::format(", TYPE={}: {}", shortened(type), noLaw));
       reading_ = Reading::elastic;
     } else if (name == "HYPERELASTIC") {
-      for (const auto& parameter : keyword_.parameters) material->hyperelasticType = parameter.first;
+      material->mooneyRivlin = keyword_.has("MOONEY-RIVLIN");
+      if (!material->mooneyRivlin && !keyword_.has("NEOHOOKE"))
+        return refuseHere(": only NEO HOOKE and MOONEY-RIVLIN with their D1 are taken at rest");
       material->hyperelastic = keyword_.position;
       if (forRun())
         return refuseHere(
@@ -412,22 +633,19 @@ class DeckReader {
       sections_.push_back({keyword_.value("ELSET"), part_, inUpperCase(keyword_.value("MATERIAL")), keyword_.position});
     } else if (name == "BOUNDARY") {
       if (!ofFirstStep()) return;
-      for (const char* key : {"USER", "SUBMODEL", "FIXED", "LOADCASE"})
-        if (keyword_.has(key)) return refuseHere(fmt::format(", {} is not taken", key));
-      const std::string type = inUpperCase(keyword_.value("TYPE"));
-      if (!type.empty() && type != "DISPLACEMENT" && type != "VELOCITY")
-        return refuseHere(fmt::format(", TYPE={} is not taken", shortened(type)));
+      if (inUpperCase(keyword_.value("OP")) == "NEW" && !boundaries_.empty())
+        return refuseHere(", OP=NEW: lets go of what is held above; leave that out instead");
       reading_ = Reading::boundary;
     } else if (name == "AMPLITUDE") {
-      beginAmplitude();
+      if (keyword_.value("NAME").empty()) return refuseHere(" needs a name, NAME=");
+      amplitude_ = &amplitudes_[inUpperCase(keyword_.value("NAME"))];
+      *amplitude_ = {{}, {}, keyword_.position};
+      reading_ = Reading::amplitude;
     } else if (name == "INITIALCONDITIONS") {
-      const std::string type = inUpperCase(keyword_.value("TYPE"));
-      if (type == "VELOCITY")
-        reading_ = Reading::initial;
-      else if (forRun())
-        refuseHere(fmt::format(", TYPE={}: only velocities are taken", shortened(type)));
-      else
-        leaveOut(keyword_);
+      if (keyword_.value("TYPE").empty()) return refuseHere(" needs a type, TYPE=");
+      if (inUpperCase(keyword_.value("TYPE")) != "VELOCITY") return;
+      if (!forRun()) return leaveOut(keyword_);
+      reading_ = Reading::initial;
     } else if (name == "STEP") {
       ++steps_;
       inStep_ = true;
@@ -436,6 +654,11 @@ class DeckReader {
         nonlinear_ = keyword_.has("NLGEOM") && inUpperCase(keyword_.value("NLGEOM")) != "NO";
       } else if (forRun()) {
         refuseHere(": a second step; a run has one");
+      } else if (steps_ == 2) {
+        note(
+            fmt::format("{}: *STEP: this step and what follows it are left out; they begin with what the first step "
+                        "leaves, and the critical step here is that of the body at rest",
+                        lines_.where(keyword_.position)));
       }
     } else if (name == "ENDSTEP") {
       inStep_ = false;
@@ -449,31 +672,12 @@ class DeckReader {
       surface_ = &surfaces_[inUpperCase(keyword_.value("NAME"))];
       *surface_ = {keyword_, {}};
       reading_ = Reading::surface;
-    } else if (name == "CLOAD" || name == "DLOAD" || name == "DSLOAD") {
-      if (!forRun()) return leaveOut(keyword_);
-      for (const char* key : {"USER", "SUBMODEL", "LOADCASE", "OMEGA0", "SECTOR"})
-        if (keyword_.has(key)) return refuseHere(fmt::format(", {} is not taken", key));
+    } else {
       reading_ = name == "CLOAD" ? Reading::cload : name == "DLOAD" ? Reading::dload : Reading::dsload;
     }
   }
   /// Before all steps, or in the first.
   bool ofFirstStep() const { return steps_ < 2; }
-
-  void beginAmplitude() {
-    const std::string name = inUpperCase(keyword_.value("NAME"));
-    if (name.empty()) return refuse(keyword_.position, "*AMPLITUDE needs a name, NAME=");
-    for (const auto& [key, value] : keyword_.parameters) {
-      const bool known = key == "NAME" || (key == "TIME" && inUpperCase(value).starts_with("TOTAL")) ||
-                         (key == "DEFINITION" && inUpperCase(value) == "TABULAR") ||
-                         (key == "VALUE" && inUpperCase(value) == "RELATIVE");
-      if (!known && forRun())
-        return refuse(keyword_.position, fmt::format("*AMPLITUDE, {}{}{} is not taken; tables are", shortened(key),
-                                                     value.empty() ? "" : "=", shortened(value)));
-    }
-    amplitude_ = &amplitudes_[name];
-    *amplitude_ = {{}, {}, keyword_.position};
-    reading_ = Reading::amplitude;
-  }
 
   void data(const DeckLine& line) {
     const auto words = DeckLines::fields(line.text);
@@ -541,13 +745,11 @@ class DeckReader {
   void hyperelastic(const std::vector<std::string_view>& words, std::size_t position) {
     if (!onlyOneLine(position)) return;
     DeckMaterial& material = materials_.back();
-    const bool neoHooke = material.hyperelasticType == "NEO HOOKE",
-               mooney = material.hyperelasticType == "MOONEY-RIVLIN";
-    const std::size_t needed = neoHooke ? 2 : 3;
-    if ((!neoHooke && !mooney) || words.size() < needed)
-      return refuse(material.hyperelastic,
-                    fmt::format("*HYPERELASTIC, {}: only NEO HOOKE and MOONEY-RIVLIN with their D1 are taken at rest",
-                                shortened(material.hyperelasticType)));
+    const std::size_t needed = material.mooneyRivlin ? 3 : 2;
+    if (words.size() < needed)
+      return refuse(
+          material.hyperelastic,
+          fmt::format("*HYPERELASTIC has {} numbers; it must have {}, the last of which is D1", words.size(), needed));
     double mu = 0;
     for (std::size_t i = 0; i + 1 < needed; ++i)
       mu += 2 * lines_.real(words[i], "a constant of *HYPERELASTIC", position);
@@ -592,8 +794,9 @@ class DeckReader {
     const std::int64_t last =
         words.size() > 2 && !words[2].empty() ? lines_.number(words[2], "the last degree of freedom", position) : first;
     constexpr std::int64_t temperature = 11;
-    if (first == temperature && last == temperature && !forRun()) {
-      if (noted_.insert(fmt::format("temperature {}", keyword_.position)).second) leaveOut(keyword_);
+    if (first == temperature && last == temperature) {
+      if (noted_.insert(fmt::format("temperature {}", keyword_.position)).second)
+        follow(DeckRule::temperature, "*BOUNDARY", {});
       return;
     }
     if (last > 6 || first > last)
@@ -710,6 +913,7 @@ class DeckReader {
     for (const DeckSurfaceLine& line : surface->second.lines) press(line.elements, line.face, words[2], position);
   }
   bool ofAllElements(const std::string& elset) {
+    if (elset.empty()) return true;
     for (const auto& [name, elements] : mesh().elementSets)
       if (inUpperCase(name) == inUpperCase(elset)) return elements.size() == mesh().elementCount();
     return false;
@@ -730,7 +934,9 @@ class DeckReader {
 
   void writeMaterials() {
     if (sections_.empty())
-      throw InputError(fmt::format("{}: no *SOLID SECTION gives the elements a material", file_.string()));
+      throw InputError(
+          fmt::format("{}: no *SOLID SECTION gives the elements a material{}", file_.string(),
+                      forRun() ? "" : "; give a law to take the mesh alone: --young, --poisson, --density"));
     Json list = Json::array();
     std::vector<std::string> origins;
     const DeckMaterial* damped = nullptr;
@@ -785,10 +991,17 @@ class DeckReader {
   void writeIntegrator() {
     Json& integrator = scene_.sections["integrator"] = Json{{"step", "auto"}, {"end", 1.0}};
     scene_.origins["integrator"] = file_.string();
+    const bool isExplicit = dynamic_ && dynamic_->has("EXPLICIT"),
+               fixed = dynamic_ && (dynamic_->has("DIRECT") || dynamic_->has("DIRECTUSERCONTROL"));
+    const std::string where = dynamic_ ? lines_.where(dynamic_->position) : file_.string();
+    if (isExplicit && times_.size() > 2 && times_[2] > 0)
+      note(
+          fmt::format("{}: *DYNAMIC, least increment {} s: CalculiX adds mass where an element needs a smaller step; "
+                      "none is added here; handler.method = \"mass-scaling\" with handler.step = {} adds it",
+                      where, times_[2], times_[2]));
     if (!forRun()) {
       // The step that the deck asks for is one to hold against the bracket.
-      if (dynamic_ && dynamic_->has("EXPLICIT") && dynamic_->has("DIRECT") && times_.size() > 1)
-        integrator = Json{{"step", times_[0]}, {"end", times_[1]}};
+      if (isExplicit && fixed && times_.size() > 1) integrator = Json{{"step", times_[0]}, {"end", times_[1]}};
       return;
     }
     if (!dynamic_)
@@ -796,18 +1009,23 @@ class DeckReader {
           fmt::format("{}: has no *DYNAMIC step, and so no motion to run; ringwatch inspect tells the "
                       "step that its body can take",
                       file_.string()));
-    const std::string where = lines_.where(dynamic_->position);
     scene_.origins["integrator"] = where;
     if (times_.size() < 2)
       throw InputError(fmt::format("{}: *DYNAMIC needs a line with its step and its length, s", where));
     integrator["end"] = times_[1];
-    const bool isExplicit = dynamic_->has("EXPLICIT");
-    if (isExplicit && dynamic_->has("DIRECT"))
-      integrator["step"] = times_[0];
-    else
+    if (fixed) integrator["step"] = times_[0];
+    if (dynamic_->has("SCALEFACTOR"))
+      integrator["safety"] = lines_.real(dynamic_->value("SCALEFACTOR"), "SCALE FACTOR", dynamic_->position);
+    if (!isExplicit || !fixed)
+      note(fmt::format("{}: *DYNAMIC {}: {}", where,
+                       isExplicit ? "leaves the step to the program" : "is implicit there, and is run explicitly here",
+                       fixed ? "its step is held; integrator.step = \"auto\" follows the safe step"
+                             : "the step follows the safe step"));
+    if (!fixed && times_.size() > 3 && times_[3] > 0)
       note(
-          fmt::format("{}: *DYNAMIC {}: the step follows the safe step", where,
-                      isExplicit ? "leaves the step to the program" : "is implicit there, and is run explicitly here"));
+          fmt::format("{}: *DYNAMIC, largest increment {} s: it does not bound the step, which is as large as is "
+                      "proven; integrator.step fixes it",
+                      where, times_[3]));
     note(fmt::format("{}: *STEP {}: linear elasticity is {}", lines_.where(step_.position),
                      nonlinear_ ? "with NLGEOM" : "without NLGEOM", nonlinear_ ? "stvk" : "linear"));
   }
@@ -918,7 +1136,6 @@ class DeckReader {
     }
   }
   void writeInitials() {
-    if (!forRun()) return;
     for (const DeckInitial& start : initials_)
       addEntry("initial", start.selection, {{"velocity", listOf(start.velocity)}}, start.position);
   }
@@ -963,7 +1180,7 @@ class DeckReader {
   int dataLines_ = 0, steps_ = 0;
   bool inStep_ = false, nonlinear_ = false;
   DeckKeyword step_;
-  std::optional<DeckKeyword> dynamic_;
+  std::optional<DeckKeyword> dynamic_, temperature_, expansion_;
   std::vector<double> times_;                                   // of *DYNAMIC, s
   std::string part_;                                            // that is being read, upper case
   std::vector<std::pair<std::string, std::string>> instances_;  // name, part
@@ -1018,7 +1235,10 @@ std::string deckHelp() {
       "*INCLUDE is\nfollowed, and whatever is not listed is refused.\n\n";
   for (const auto& [head, rule] : {std::pair{"read with the mesh", DeckRule::mesh},
                                    {"taken", DeckRule::taken},
+                                   {"taken by run; inspect leaves them out, with a note", DeckRule::takenInRun},
                                    {"left out, with a note", DeckRule::harmless},
+                                   {"likewise, but refused with *EXPANSION", DeckRule::temperature},
+                                   {"likewise, but refused with temperatures", DeckRule::expansion},
                                    {"output requests, left out with a note", DeckRule::output}})
     text += fmt::format("{}:\n  {}\n", head, listed(rule));
   for (const auto& [head, rule] : {std::pair{"of no matter to inspect; run refuses them", DeckRule::procedure},
@@ -1027,6 +1247,23 @@ std::string deckHelp() {
     text += fmt::format("{}:\n", head);
     for (const DeckKeywordRule& keyword : keywordRules)
       if (keyword.rule == rule) text += fmt::format("  *{:<35} {}\n", keyword.name, keyword.why);
+  }
+  text += "parameters of keywords that are taken; whatever is not listed is refused:\n";
+  for (const DeckKeywordRule& keyword : keywordRules)
+    if (const std::string taken = takenParameters(keyword.name); !taken.empty())
+      text += fmt::format("  *{:<19} {}\n", keyword.name, taken);
+  for (const auto& [head, isTold] :
+       {std::pair<const char*, bool (*)(DeckRule)>{"left out by run, with a note",
+                                                   [](DeckRule r) { return r == DeckRule::harmless; }},
+        {"refused by both, or of loads and of *DYNAMIC by run",
+         [](DeckRule r) { return r == DeckRule::refused || r == DeckRule::load; }}}) {
+    text += fmt::format("parameters, {}:\n", head);
+    for (const DeckParameterRule& rule : parameterRules)
+      if (isTold(rule.rule))
+        text += fmt::format(
+            "  {:<35} {}\n",
+            fmt::format("*{}, {}{}{}", rule.keyword, rule.parameter, rule.value.empty() ? "" : "=", rule.value),
+            rule.why);
   }
   text += "elements (*ELEMENT, TYPE=), with the quadrature that CalculiX gives them:\n";
   for (const DeckSolid& solid : solids)

@@ -182,7 +182,7 @@ TEST_F(Decks, RefuseWhatWouldChangeTheMotion) {
   refuse(std::string(soft) + step("*BOUNDARY\nright, 1, 1, 1e-3\n"),
          "deck.inp:33: *BOUNDARY: the nodes would jump to their place at once");
   refuse(std::string(soft) + step("*BOUNDARY, AMPLITUDE=none\nright, 1, 1, 1e-3\n"), "there is no *AMPLITUDE \"NONE\"");
-  refuse(std::string(soft) + step("*BOUNDARY\nright, 11\n"), "degrees of freedom 11 to 11; a solid has 1 to 3");
+  refuse(std::string(soft) + step("*BOUNDARY\nright, 9\n"), "degrees of freedom 9 to 9; a solid has 1 to 3");
   refuse(std::string(soft) + step("*CLOAD\n99, 1, 1.\n"), "deck.inp:33: force.set: the mesh has no node 99");
   refuse(std::string(soft) + step("*CLOAD\nnowhere, 1, 1.\n"), "deck.inp:33: force.set: unknown node set \"nowhere\"");
   refuse(std::string(soft) + step("*CLOAD\nNall, 4, 1.\n"), "*CLOAD: a moment");
@@ -198,6 +198,107 @@ TEST_F(Decks, RefuseWhatWouldChangeTheMotion) {
 
   folder_.write("material.inp", "*MATERIAL, NAME=soft\n*ELASTIC\n30e3\n");
   refuse("*INCLUDE, INPUT=material.inp\n" + step(""), "material.inp:3: *ELASTIC has one number");
+}
+
+// What stresses a body, or changes its mass or supports, is refused by every command that tells a step of it.
+TEST_F(Decks, RefuseWhatWouldChangeTheTangent) {
+  const std::string whole = std::string(soft) + "*BOUNDARY\nleft, 1, 3\n" + step("");
+  const auto refuseAll = [&](const std::string& more, const std::string& what) {
+    const std::string deck = std::string(soft) + "*BOUNDARY\nleft, 1, 3\n" + more + step("");
+    refuse(deck, what);
+    refuse(deck, what, "inspect deck.inp");
+    refuse(deck, what, "suggest deck.inp --frame 1/60");
+    refuse(deck, what, "audit a.vtk --scene deck.inp");
+  };
+  folder_.write("a.vtk", "");
+  refuseAll("*INITIAL CONDITIONS, TYPE=STRESS\n1, 1, 5e5, 5e5, 5e5, 0., 0., 0.\n",
+            "deck.inp:32: *INITIAL CONDITIONS, TYPE=STRESS: changes the tangent and with it the critical step");
+  refuseAll("*INITIAL CONDITIONS, TYPE=PLASTIC STRAIN\n", "TYPE=PLASTIC STRAIN: changes the tangent");
+  refuseAll("*INITIAL CONDITIONS, TYPE=FIELD, VARIABLE=1\n", "TYPE=FIELD: changes the tangent");
+  refuseAll("*INITIAL CONDITIONS, TYPE=SOLUTION\n", "TYPE=SOLUTION: only velocities are taken");
+  refuseAll("*INITIAL CONDITIONS\n", "*INITIAL CONDITIONS needs a type");
+  refuseAll("*FIELD\nNall, 1.\n", "deck.inp:32: *FIELD: changes the tangent");
+  refuseAll("*RESTART, READ, STEP=2\n", "deck.inp:32: *RESTART, READ: goes on with the state of another run");
+  refuseAll("*FIXED MASS SCALING, FACTOR=2\n", "deck.inp:32: *FIXED MASS SCALING: adds mass");
+  refuseAll("*MODEL CHANGE, REMOVE\nEall\n", "deck.inp:32: *MODEL CHANGE: takes elements out");
+  refuseAll("*BOUNDARY, OP=NEW\nright, 1\n", "deck.inp:32: *BOUNDARY, OP=NEW: lets go of what is held above");
+  refuseAll("*BOUNDARY, LOAD CASE=2\nright, 1\n", "deck.inp:32: *BOUNDARY, LOADCASE=2: is of complex values");
+  refuseAll("*BOUNDARY, ODD\nright, 1\n", "deck.inp:32: *BOUNDARY, ODD is not taken; AMPLITUDE, TYPE=DISPLACEMENT");
+  refuseAll("*MATERIAL, NAME=other\n*DAMPING, STRUCTURAL=0.1\n", "*DAMPING, STRUCTURAL=0.1: is of a vibration");
+  refuse(std::string(soft) + step("*CLOAD, TIME DELAY=0.1\nright, 1, 1.\n"), "*CLOAD, TIMEDELAY=0.1: moves the times");
+
+  // Heat strains a body that expands; without temperatures or expansion it is left out.
+  const std::string heat = "*INITIAL CONDITIONS, TYPE=TEMPERATURE\nNall, 300.\n";
+  const std::string expanding = "*MATERIAL, NAME=other\n*EXPANSION\n1e-5\n";
+  refuseAll(expanding + heat, "deck.inp:33: *EXPANSION with the temperatures of *INITIAL CONDITIONS (line 35)");
+  refuseAll(expanding + "*BOUNDARY\nleft, 11, 11, 20.\n",
+            "deck.inp:33: *EXPANSION with the temperatures of *BOUNDARY (line 35)");
+  for (const std::string& more : {heat, expanding})
+    for (const std::string command : {"run deck.inp --out h", "inspect deck.inp"}) {
+      write(std::string(soft) + "*BOUNDARY\nleft, 1, 3\n" + more + step(""));
+      const Outcome outcome = call(command);
+      EXPECT_EQ(outcome.status, 0) << outcome.err;
+      EXPECT_THAT(outcome.out, HasSubstr(more == heat ? "*INITIAL CONDITIONS (line 32)" : "*EXPANSION (line 33)"));
+    }
+
+  write(whole + "*STEP\n*DYNAMIC, EXPLICIT\n, 1.\n*END STEP\n");
+  const std::string text = call("inspect deck.inp").out;
+  EXPECT_THAT(text, HasSubstr("deck.inp:35: *STEP: this step and what follows it are left out"));
+  write(std::string(soft) + step("*CLOAD\nright, 1, 1.\n"));
+  EXPECT_THAT(call("inspect deck.inp").out, HasSubstr("do not matter to the step of the body at rest: *HEADING (line "
+                                                      "1), *CLOAD (line 32)"));
+}
+
+// A step that a deck fixes is held: what inspect proves of it becomes of the run.
+TEST_F(Decks, HoldAFixedStep) {
+  const std::string body =
+      std::string(soft) + "*BOUNDARY\nleft, 1, 3\n*INITIAL CONDITIONS, TYPE=VELOCITY\nright, 1, 1e-3\n";
+  write(body);
+  const Json bracket = parse(call("inspect deck.inp --exact --json -").out)["critical_step"]["exact"];
+  const double safe = bracket["safe"], optimistic = bracket["optimistic"];
+  for (const std::string fixing :
+       {"EXPLICIT, DIRECT USER CONTROL", "EXPLICIT, DIRECT", "DIRECT", "Explicit, directusercontrol"})
+    for (const double h : {0.9 * safe, 1.1 * optimistic}) {
+      SCOPED_TRACE(fixing);
+      write(body + "*STEP\n*DYNAMIC, " + fixing + "\n" + test::digits(h) + ", " + test::digits(20 * h) +
+            "\n*END STEP\n");
+      const Outcome outcome = call("run deck.inp --out f --set output.picture=false");
+      EXPECT_EQ(outcome.status, h < safe ? 0 : 1) << outcome.out << outcome.err;
+      const Json summary = json("f/summary.json");
+      EXPECT_EQ(summary["scene"]["integrator"]["step"].get<double>(), h);
+      EXPECT_EQ(summary["verdict"], h < safe ? "certified" : "violated");
+    }
+
+  // SCALE FACTOR is the share of the safe step that is taken.
+  double steps[2];
+  for (const int i : {0, 1}) {
+    write(body + "*STEP\n*DYNAMIC, EXPLICIT, SCALE FACTOR=" + (i == 0 ? "1.0" : "0.5") + "\n, 0.05\n*END STEP\n");
+    ASSERT_EQ(call("run deck.inp --out f --set output.picture=false").status, 0);
+    steps[i] = json("f/summary.json")["largest_step"];
+  }
+  EXPECT_DOUBLE_EQ(steps[1] / steps[0], 0.5);
+  EXPECT_LE(steps[0], optimistic);
+}
+
+// What a *DYNAMIC step says that is not done is told, and what would change the motion is refused.
+TEST_F(Decks, TellWhatAStepSaysBesides) {
+  const auto told = [&](const std::string& keyword, const std::string& numbers) {
+    return run(std::string(soft) + "*STEP\n*DYNAMIC" + keyword + "\n" + numbers + "\n*END STEP\n"), out_;
+  };
+  EXPECT_THAT(
+      told(", EXPLICIT", "1e-6, 0.05, 5e-5"),
+      HasSubstr("deck.inp:30: *DYNAMIC, least increment 5e-05 s: CalculiX adds mass where an element needs a "
+                "smaller step; none is added here; handler.method = \"mass-scaling\" with handler.step = 5e-05"));
+  EXPECT_EQ(told(", EXPLICIT", "1e-6, 0.05").find("increment"), std::string::npos);
+  EXPECT_EQ(told("", "1e-6, 0.05, 5e-5").find("least increment"), std::string::npos);
+  EXPECT_THAT(told(", EXPLICIT", ", 0.05, , 2e-5"), HasSubstr("largest increment 2e-05 s: it does not bound the step"));
+  EXPECT_THAT(told(", EXPLICIT, FIXED TIME INCREMENTATION", ", 0.05"),
+              HasSubstr("FIXEDTIMEINCREMENTATION: keeps the step that the program finds"));
+  EXPECT_THAT(told(", EXPLICIT, IMPROVED DT METHOD=NO", ", 0.05"), HasSubstr("IMPROVEDDTMETHOD=NO: the program's own"));
+  EXPECT_THAT(told(", ALPHA=-0.05", "1e-3, 0.05"), HasSubstr("ALPHA=-0.05: damps in an implicit scheme"));
+  for (const std::string parameter : {"TIME RESET", "TOTAL TIME AT START=1", "SUBSPACE", "ODD"})
+    refuse(std::string(soft) + "*STEP\n*DYNAMIC, " + parameter + "\n1e-3, 0.05\n*END STEP\n",
+           "deck.inp:30: *DYNAMIC, ");
 }
 
 // Both cubes are pressed from below and above and the first one from the left, by elements and by a surface. The nodes
