@@ -30,10 +30,55 @@ inline std::size_t editDistance(std::string_view a, std::string_view b) {
 /// four letters. Beyond, words of this length are near each other by chance ("newmark" and "pefrl" are 6 edits apart).
 inline std::size_t farthestEdit(std::size_t length) { return 1 + length / 4; }
 
-/// The candidate with the smallest edit distance to the word, the first one among equals; "" when none is within
-/// `farthestEdit` or shares a letter with the word. For error messages that name what the user probably meant.
+/// A word of the field and what it is called here.
+struct FieldTerm {
+  std::string_view word, here;
+};
+/// For suggestions, where a name of ours is unlike the usual ones; in lower case, blanks and underscores as hyphens.
+inline constexpr FieldTerm fieldTerms[] = {
+    {"leapfrog", "verlet"},
+    {"leap-frog", "verlet"},
+    {"central-difference", "verlet"},
+    {"central-differences", "verlet"},
+    {"velocity-verlet", "verlet"},
+    {"newmark", "verlet"},  // explicit: beta = 0, gamma = 1/2
+    {"explicit-newmark", "verlet"},
+    {"semi-implicit-euler", "symplectic-euler"},
+    {"forward-euler", "explicit-euler"},
+    {"runge-kutta", "rk4"},
+    {"e", "young"},
+    {"nu", "poisson"},
+    {"rho", "density"},
+    {"k", "bulk"},
+    {"mises", "von_mises"},
+    {"vonmises", "von_mises"},
+    {"von-mises-stress", "von_mises"},
+    {"saint-venant-kirchhoff", "stvk"},
+    {"st-venant-kirchhoff", "stvk"},
+    {"hooke", "linear"},
+    {"dt", "step"},
+    {"time-step", "step"},
+    {"timestep", "step"},
+    {"duration", "end"},
+    {"end-time", "end"},
+    {"t-end", "end"},
+    {"gravity", "acceleration"},
+};
+
+/// The candidate that a word of the field stands for, or else the one with the smallest edit distance to the word, the
+/// first one among equals; "" when none is within `farthestEdit` or shares a letter with the word. Hyphens before
+/// options do not count. For error messages that name what the user probably meant.
 template <std::ranges::input_range Candidates>
 std::string nearestName(std::string_view word, Candidates&& candidates) {
+  const auto bare = [](std::string_view name) {
+    return name.substr(std::min(name.find_first_not_of('-'), name.size()));
+  };
+  std::string plain(bare(word));
+  for (char& c : plain) c = c == ' ' || c == '_' ? '-' : c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  for (const FieldTerm& term : fieldTerms)
+    if (term.word == plain)
+      for (const auto& candidate : candidates)
+        if (bare(std::string_view(candidate)) == term.here) return std::string(std::string_view(candidate));
   std::string best;
   std::size_t bestDistance = farthestEdit(word.size()) + 1;
   for (const auto& candidate : candidates) {

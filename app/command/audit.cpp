@@ -291,8 +291,6 @@ class AuditReport {
 }  // namespace
 
 AuditResult auditResults(const AuditOptions& options) {
-  if (options.step && !(*options.step > 0 && std::isfinite(*options.step)))
-    throw InputError(fmt::format("--step: {} is out of range; must be > 0 s", *options.step));
   Scene scene = sceneOfAudit(options);
   applyLaw(scene, options);
   if (scene.hasElementDamping())

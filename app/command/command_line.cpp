@@ -197,6 +197,13 @@ const ReportWriters& neededReportWriters() {
   throw InputError("this program writes no pages; call ringwatch");
 }
 
+/// An option that is a time, s: a number or a fraction, such as 1/60.
+template <class Time>
+CLI::Option* addTime(CLI::App& command, const std::string& option, Time& time, const std::string& help) {
+  return command.add_option_function<std::string>(
+      option, [&time, option](const std::string& text) { time = parsePositiveNumber(text, option); }, help);
+}
+
 constexpr const char* pageHelp = "write one HTML page about it to this file, which opens from disk in any browser";
 
 /// A word in single quotes, as a shell takes it.
@@ -433,8 +440,12 @@ struct CompareCommand {
         ->delimiter(',')
         ->allow_extra_args(false);
     command
-        ->add_option("--step", options.steps,
-                     "steps, s, separated by commas (default: a range for each integrator, from its largest)")
+        ->add_option_function<std::vector<std::string>>(
+            "--step",
+            [this](const std::vector<std::string>& steps) {
+              for (const std::string& step : steps) options.steps.push_back(parsePositiveNumber(step, "--step"));
+            },
+            "steps, s, separated by commas (default: a range for each integrator, from its largest)")
         ->delimiter(',')
         ->allow_extra_args(false);
     command->add_option("--set", options.overrides, "section.key=value, replaces the value of the scene")
@@ -516,8 +527,8 @@ struct InspectCommand {
                      "ELEMENT=RULE, a quadrature rule, e.g. hex8=selective; may be given again")
         ->type_name("ELEMENT=RULE")
         ->allow_extra_args(false);
-    command->add_option("--step", options.step,
-                        "list the elements that need a smaller step than this, s, and count what a handler would take");
+    addTime(*command, "--step", options.step,
+            "list the elements that need a smaller step than this, s, and count what a handler would take");
     command->add_option("--metric", options.metrics, "metrics, separated by commas, or all")
         ->type_name("METRICS")
         ->delimiter(',')
@@ -538,10 +549,9 @@ struct InspectCommand {
     command->add_option("--stretch", stretch,
                         "a:b, also a step that is proven stable in every state whose stretches stay between these two, "
                         "e.g. 0.7:1.5");
-    command->add_option(
-        "--prove", options.prove,
-        "prove that this step, s, is stable, by a sparse factorisation; exit status 1 when it is proven "
-        "unstable, 3 when neither is proven");
+    addTime(*command, "--prove", options.prove,
+            "prove that this step, s, is stable, by a sparse factorisation; exit status 1 when it is proven "
+            "unstable, 3 when neither is proven");
     json.declare(*command, "numbers");
     command->add_flag("--distribution", options.distribution,
                       "histogram and cumulative share of the elements' steps by metric; the ten worst elements");
@@ -604,8 +614,8 @@ struct AuditCommand {
     command->add_option("--displacement", options.displacement,
                         "field of the displacement, m (default: the usual names; without any, the points are taken "
                         "for positions)");
-    command->add_option("--step", options.step,
-                        "step that the run took, s (default: by the times and increments of the results)");
+    addTime(*command, "--step", options.step,
+            "step that the run took, s (default: by the times and increments of the results)");
     command->add_option("--integrator", options.integrator,
                         "integrator whose limit counts (default: symplectic-euler)");
     command->add_option("--limit", options.limit, "largest stable h omega of theirs, instead of --integrator");
@@ -652,20 +662,19 @@ void declareQuestion(CLI::App& command, Question& options, JsonOption& json) {
 struct SuggestCommand {
   SuggestOptions options;
   JsonOption json;
-  std::string frame, stretch;
+  std::string stretch;
 
   void declare(CLI::App& app) {
     CLI::App* command =
         app.add_subcommand("suggest", "say how many steps a scene needs in a time, such as that of a picture");
     declareQuestion(*command, options, json);
-    command->add_option("--frame", frame, "the time, s: a number or a fraction, such as 1/60")->required();
+    addTime(*command, "--frame", options.frame, "the time, s: a number or a fraction, such as 1/60")->required();
     command->add_option("--stretch", stretch,
                         "a:b, also for every state whose stretches stay between these two, e.g. 0.7:1.5");
     command->footer(std::string(unitsText) + "\n" + seeTopics("scene | integrators") + exitStatusHint);
   }
 
   ExitStatus execute() {
-    options.frame = parsePositiveNumber(frame, "--frame");
     if (!stretch.empty()) options.stretch = parseStretchRange(stretch, "--stretch");
     const SuggestResult result = suggestSteps(options);
     json.write(result.json, result.text);
@@ -676,18 +685,16 @@ struct SuggestCommand {
 struct ScaleMassCommand {
   ScaleMassOptions options;
   JsonOption json;
-  std::string step;
 
   void declare(CLI::App& app) {
     CLI::App* command = app.add_subcommand("scale-mass", "say how little added mass a scene needs for a step");
     declareQuestion(*command, options, json);
-    command->add_option("--step", step, "the step to be proven, s: a number or a fraction")->required();
+    addTime(*command, "--step", options.step, "the step to be proven, s: a number or a fraction")->required();
     command->footer("A run adds mass with handler.method = \"mass-scaling\", at the nodes that the handler chooses.\n" +
                     std::string(unitsText) + "\n" + seeTopics("scene | handlers") + exitStatusHint);
   }
 
   ExitStatus execute() {
-    options.step = parsePositiveNumber(step, "--step");
     const ScaleMassResult result = planMass(options);
     json.write(result.json, result.text);
     return ExitStatus::done;
@@ -697,15 +704,14 @@ struct ScaleMassCommand {
 struct AdviseCommand {
   AdviseOptions options;
   JsonOption json;
-  std::string step, time;
 
   void declare(CLI::App& app) {
     CLI::App* command =
         app.add_subcommand("advise", "say how a scene can take a step that is too large for it, by trials and runs");
     declareQuestion(*command, options, json);
-    command->add_option("--step", step, "the step to be taken, s: a number or a fraction (default: the scene's)");
-    command->add_option("--time", time,
-                        fmt::format("time of each trial, s (default: {} steps, or the scene's end)", adviseSteps));
+    addTime(*command, "--step", options.step, "the step to be taken, s: a number or a fraction (default: the scene's)");
+    addTime(*command, "--time", options.time,
+            fmt::format("time of each trial, s (default: {} steps, or the scene's end)", adviseSteps));
     command
         ->add_option("--run-steps", options.runSteps,
                      fmt::format("steps of the runs of what a trial leaves, at most (default: {}, or as many as the "
@@ -724,8 +730,6 @@ struct AdviseCommand {
   }
 
   ExitStatus execute() {
-    if (!step.empty()) options.step = parsePositiveNumber(step, "--step");
-    if (!time.empty()) options.time = parsePositiveNumber(time, "--time");
     const AdviseResult result = adviseScene(options);
     json.write(result.json, result.text);
     return ExitStatus::done;
@@ -896,11 +900,10 @@ struct HelpCommand {
   }
 
   ExitStatus execute(const CLI::App& app) const {
-    if (words.size() == 1)
-      if (const HelpTopic* topic = findHelpTopic(words[0])) {
-        printOut(topic->text());
-        return ExitStatus::done;
-      }
+    if (const HelpTopic* topic = words.empty() ? nullptr : findHelpTopic(words[0])) {
+      printOut(textOf(*topic));
+      return ExitStatus::done;
+    }
     const auto isCommand = [](const CLI::App*) { return true; };
     const CLI::App* command = &app;
     std::string name = app.get_name();
@@ -922,6 +925,19 @@ struct HelpCommand {
     }
     printOut(app.get_formatter()->make_help(command, name, CLI::AppFormatMode::Normal));
     return ExitStatus::done;
+  }
+
+ private:
+  std::string textOf(const HelpTopic& topic) const {
+    if (words.size() == 1) return topic.text();
+    if (topic.part == nullptr || words.size() > 2)
+      throw InputError(fmt::format("help: unknown argument {}; write ringwatch help {}{}", inQuotes(words.back()),
+                                   topic.name, topic.part == nullptr ? "" : " " + words[1]));
+    const std::string text = topic.part(words[1]);
+    if (text.empty())
+      throw InputError(fmt::format("help: {} has no {}; {}known are {}", topic.name, inQuotes(words[1]),
+                                   didYouMean(words[1], topic.parts()), fmt::join(topic.parts(), ", ")));
+    return text;
   }
 };
 

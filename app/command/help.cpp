@@ -151,8 +151,15 @@ std::string exitStatusText() {
   return text;
 }
 
+std::vector<std::string> sceneSectionNames() {
+  std::vector<std::string> names;
+  for (const SceneSection& section : sceneSections()) names.emplace_back(section.name);
+  return names;
+}
+
 constexpr std::array<HelpTopic, 12> topics{{
-    {"scene", "every key of a scene file with type, unit, range and default", sceneHelp, nullptr},
+    {"scene", "sections of a scene file; with the name of one, its keys with type, unit, range and default",
+     sceneOverview, nullptr, sceneHelp, sceneSectionNames},
     {"elements", "elements and their quadrature rules", elementsText, [] { return namesIn(allElements()); }},
     {"laws", "constitutive laws", lawsText, [] { return namesIn(allLaws()); }},
     {"integrators", "integrators and their stability limits", integratorsText,

@@ -2,6 +2,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace ringwatch {
 
@@ -11,6 +12,8 @@ struct HelpTopic {
   std::string_view help;
   std::string (*text)();
   std::string (*names)();  // what the topic lists, in one line for the overview; nullptr: too much for a line
+  std::string (*part)(std::string_view name) = nullptr;  // help TOPIC NAME, "" for an unknown one; nullptr: it has none
+  std::vector<std::string> (*parts)() = nullptr;         // their names
 };
 
 /// All topics, one line each in help.cpp.

@@ -464,15 +464,9 @@ void reportMetrics(const std::vector<MetricResult>& metrics, const StepRule& rul
 }
 
 void checkOptions(const InspectOptions& options) {
-  const auto needsStep = [](const char* option, const std::optional<double>& h) {
-    if (h && !(*h > 0 && std::isfinite(*h)))
-      throw InputError(fmt::format("{}: {} is out of range; must be > 0 s", option, *h));
-  };
-  needsStep("--step", options.step);
   if (options.lanczos && !(*options.lanczos > 0 && *options.lanczos <= 0.5))
     throw InputError(
         fmt::format("--lanczos: {} is out of range; must be > 0 and <= 0.5, a probability", *options.lanczos));
-  needsStep("--prove", options.prove);
   if (options.certificate && options.exact && options.prove)
     throw InputError("--certificate: with --exact and --prove it could be of either; give one of them");
   if (options.picture) checkPictureName(*options.picture);

@@ -24,15 +24,18 @@ std::optional<double> numberOf(std::string_view text) {
 
 }  // namespace
 
-double parsePositiveNumber(const std::string& text, const std::string& option) {
+std::optional<double> numberOrFraction(std::string_view text) {
   const std::size_t slash = text.find('/');
-  const std::string_view all = text;
-  std::optional<double> value = numberOf(all.substr(0, slash));
-  if (value && slash != std::string::npos) {
-    const std::optional<double> under = numberOf(all.substr(slash + 1));
-    value = under && *under > 0 ? std::optional(*value / *under) : std::nullopt;
-  }
-  if (!value || !(*value > 0) || !std::isfinite(*value))
+  const std::optional<double> value = numberOf(text.substr(0, slash));
+  if (!value || slash == std::string_view::npos) return value;
+  const std::optional<double> under = numberOf(text.substr(slash + 1));
+  if (!under || !(*under > 0) || !std::isfinite(*value / *under)) return std::nullopt;
+  return *value / *under;
+}
+
+double parsePositiveNumber(const std::string& text, const std::string& option) {
+  const std::optional<double> value = numberOrFraction(text);
+  if (!value || !(*value > 0))
     throw InputError(fmt::format("{}: {} is no time; must be a number > 0 or a fraction, such as 0.02 or 1/60, in s",
                                  option, inQuotes(text)));
   return *value;

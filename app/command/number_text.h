@@ -1,5 +1,7 @@
 #pragma once
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include <ringwatch/monitor/bounds/range_bound.h>
 
@@ -7,6 +9,8 @@ namespace ringwatch {
 
 /// A number > 0 or a fraction of two, such as "0.02" or "1/60". Throws InputError "OPTION: …".
 double parsePositiveNumber(const std::string& text, const std::string& option);
+/// The finite value of a number or of a fraction of two, such as 1/60; empty for another text.
+std::optional<double> numberOrFraction(std::string_view text);
 /// A range of stretches "a:b", 0 < a <= b. Throws InputError "OPTION: …".
 StretchRange parseStretchRange(const std::string& text, const std::string& option);
 

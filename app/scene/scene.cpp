@@ -638,7 +638,11 @@ NodeSelection NodeSelection::parse(const std::string& text, const std::string& o
   try {
     return {WhereExpression(text), {}, origin};
   } catch (const InputError& fault) {
-    throw InputError(fmt::format("{}: {}: {}", origin, inQuotes(text), fault.what()));
+    const bool isName = !text.empty() && std::ranges::all_of(text, [](unsigned char c) {
+      return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.';
+    });
+    throw InputError(fmt::format("{}: {}: {}{}", origin, inQuotes(text), fault.what(),
+                                 isName ? fmt::format("; a named set is written \"set:{}\"", text) : ""));
   }
 }
 

@@ -113,6 +113,11 @@ std::vector<std::int32_t> NodeSelection::nodesIn(const Mesh& part) const {
     if (found != part.nodeSets.end()) return found->second;
     std::vector<std::string> known;
     for (const auto& entry : part.nodeSets) known.push_back(entry.first);
+    if (part.elementSets.count(set) != 0)
+      throw InputError(fmt::format("{}: {} is a set of elements, and nodes are selected here; {}", origin,
+                                   inQuotes(set),
+                                   known.empty() ? "select them by a condition on their position"
+                                                 : "the mesh has the node sets " + shortList(known)));
     throw InputError(known.empty()
                          ? fmt::format("{}: unknown node set {}; the mesh has no named sets", origin, inQuotes(set))
                          : fmt::format("{}: unknown node set {}; {}the mesh has {}", origin, inQuotes(set),
@@ -165,6 +170,7 @@ Mesh sceneMesh(const Scene& scene, std::vector<std::string>& notes) {
       renumberNodes(mesh);  // a mesher's order may cost a fifth of every step
       return mesh;
     } catch (const InputError& fault) {
+      if (scene.ofDeck) throw;  // it names the deck
       throw InputError(fmt::format("{}: {}", scene.meshOrigin, fault.what()));
     }
   }

@@ -927,29 +927,55 @@ bool isLawParameter(std::string_view key) {
   return std::ranges::any_of(allLaws(), [&](const LawInfo& law) { return findOption(law.parameters, key) != nullptr; });
 }
 
-std::string sceneHelp() {
-  std::string text =
-      "A scene is a TOML file.\n" + std::string(unitsText) + "\nKeys with their type, unit, range and default:\n";
-  for (const SceneSection& section : sections) {
-    text += fmt::format("\n{}  {}{}\n",
-                        section.list       ? fmt::format("[[{}]]", section.name)
-                        : section.alsoList ? fmt::format("[{0}] or [[{0}]]", section.name)
-                                           : fmt::format("[{}]", section.name),
-                        section.help, section.required ? " (required)" : "");
-    for (const SceneKey& key : sceneKeys()) {
-      if (key.section != section.name) continue;
-      std::string line = fmt::format("  {:<17} {}", key.key, sceneTypeName(key.type));
-      if (!key.unit.empty()) line += ", " + key.unit;
-      if (!key.range.text().empty()) line += ", " + key.range.text();
-      if (key.required) line += ", required";
-      if (!key.fallback.empty()) line += ", default " + key.fallback;
-      text += line + "\n" + fmt::format("  {:<17}   {}\n", "", key.help);
-      if (!key.choices.empty()) text += fmt::format("  {:<17}   one of: {}\n", "", fmt::join(key.choices, ", "));
-      for (const auto& [alias, meant] : key.aliases)
-        text += fmt::format("  {:<17}   {} is another name of {}\n", "", alias, meant);
-    }
+namespace {
+
+std::string headOf(const SceneSection& section) {
+  return section.list       ? fmt::format("[[{}]]", section.name)
+         : section.alsoList ? fmt::format("[{0}] or [[{0}]]", section.name)
+                            : fmt::format("[{}]", section.name);
+}
+
+std::string helpOf(const SceneSection& section) {
+  std::string text = fmt::format("\n{}  {}{}\n", headOf(section), section.help, section.required ? " (required)" : "");
+  for (const SceneKey& key : sceneKeys()) {
+    if (key.section != section.name) continue;
+    std::string line = fmt::format("  {:<17} {}", key.key, sceneTypeName(key.type));
+    if (!key.unit.empty()) line += ", " + key.unit;
+    if (!key.range.text().empty()) line += ", " + key.range.text();
+    if (key.required) line += ", required";
+    if (!key.fallback.empty()) line += ", default " + key.fallback;
+    text += line + "\n" + fmt::format("  {:<17}   {}\n", "", key.help);
+    if (!key.choices.empty()) text += fmt::format("  {:<17}   one of: {}\n", "", fmt::join(key.choices, ", "));
+    for (const auto& [alias, meant] : key.aliases)
+      text += fmt::format("  {:<17}   {} is another name of {}\n", "", alias, meant);
   }
+  return text;
+}
+
+constexpr std::string_view sceneIntroduction = "A scene is a TOML file.\n";
+constexpr std::string_view keysIntroduction = "\nKeys with their type, unit, range and default:\n";
+
+}  // namespace
+
+std::string sceneHelp() {
+  std::string text = std::string(sceneIntroduction) + std::string(unitsText) + std::string(keysIntroduction);
+  for (const SceneSection& section : sections) text += helpOf(section);
   return text + "\nMesh generators and their parameters in [mesh]:\n" + generatorHelp();
+}
+
+std::string sceneHelp(std::string_view name) {
+  const auto* section = std::ranges::find(sections, name, &SceneSection::name);
+  if (section == sections.end()) return {};
+  return std::string(unitsText) + std::string(keysIntroduction) + helpOf(*section);
+}
+
+std::string sceneOverview() {
+  std::string text = std::string(sceneIntroduction) + std::string(unitsText) + "\nIts sections:\n\n";
+  for (const SceneSection& section : sections)
+    text += fmt::format("  {:<26} {}{}\n", headOf(section), section.help, section.required ? " (required)" : "");
+  return text +
+         "\nringwatch help scene SECTION lists the keys of one, such as ringwatch help scene contact; ringwatch run "
+         "--help-scene lists all.\n";
 }
 
 }  // namespace ringwatch

@@ -80,5 +80,9 @@ bool isKeyOfEveryHandler(std::string_view key);
 bool isLawParameter(std::string_view key);
 /// The human-readable listing: every section and key with type, unit, default, range and help.
 std::string sceneHelp();
+/// That of one section; "" where there is none of that name.
+std::string sceneHelp(std::string_view section);
+/// The sections, one line each.
+std::string sceneOverview();
 
 }  // namespace ringwatch

@@ -39,6 +39,10 @@ std::vector<ElementRef> elementsOfSet(const std::string& set, const Mesh& mesh, 
     throw InputError(fmt::format("{}: the element set {} is empty", origin, inQuotes(set)));
   std::vector<std::string> known;
   for (const auto& entry : mesh.elementSets) known.push_back(entry.first);
+  if (mesh.nodeSets.count(set) != 0)
+    throw InputError(fmt::format("{}: {} is a set of nodes, and elements are selected here; {}", origin, inQuotes(set),
+                                 known.empty() ? "select them by a condition on their centre, where"
+                                               : "the mesh has the element sets " + shortList(known)));
   throw InputError(known.empty() ? fmt::format("{}: unknown element set {}; the mesh has no named sets of elements",
                                                origin, inQuotes(set))
                                  : fmt::format("{}: unknown element set {}; {}the mesh has {}", origin, inQuotes(set),

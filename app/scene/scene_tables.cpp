@@ -8,10 +8,12 @@
 
 #include <toml++/toml.h>
 
+#include <ringwatch/app/command/number_text.h>
 #include <ringwatch/app/scene/toml_text.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/nearest_name.h>
 #include <ringwatch/base/user_text.h>
+#include <ringwatch/meshes/mesh_io.h>
 
 namespace ringwatch {
 namespace {
@@ -40,6 +42,40 @@ std::string kindOf(const toml::node& node) {
     default:
       return "a date or time";
   }
+}
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view blanks = " \t\r";
+  const std::size_t begin = std::min(text.find_first_not_of(blanks), text.size());
+  return text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
+}
+
+/// A word that stands for itself where quotes are forgotten or eaten by a shell.
+bool isBareWord(std::string_view text) {
+  return !text.empty() && std::isalpha(static_cast<unsigned char>(text.front())) != 0 &&
+         std::ranges::all_of(text, [](unsigned char c) {
+           return std::isalnum(c) != 0 || std::strchr("_-./:", static_cast<char>(c)) != nullptr;
+         });
+}
+
+/// What is meant by a line of a scene that is no TOML: quotes that are missing, or a fraction. "" for another one.
+std::string whatIsMeant(std::string_view content, std::size_t line) {
+  for (std::size_t i = 1; i < line; ++i) content.remove_prefix(std::min(content.find('\n'), content.size() - 1) + 1);
+  const std::string_view whole = content.substr(0, content.find('\n')), text = whole.substr(0, whole.find('#'));
+  const std::size_t equals = text.find('=');
+  if (equals == std::string_view::npos) return {};
+  const std::string_view key = trimmed(text.substr(0, equals)), value = trimmed(text.substr(equals + 1));
+  if (const std::optional<double> number = numberOrFraction(value)) return fmt::format("; write {} = {}", key, *number);
+  return isBareWord(value) ? fmt::format("; a text stands in quotes, {} = \"{}\"", key, value) : "";
+}
+
+bool isMeshFile(const std::filesystem::path& file) {
+  const std::string extension = file.extension().string();
+  return !extension.empty() && std::ranges::any_of(allMeshFormats(), [&](const MeshFormatInfo& format) {
+    const std::string known = " " + std::string(format.extensions) + " ";
+    return known.find(" " + extension + " ") != std::string::npos ||
+           known.find(" " + extension + ",") != std::string::npos;
+  });
 }
 
 class Reader {
@@ -108,6 +144,11 @@ class Reader {
     if (!stream.is_open() || stream.bad())
       throw InputError(fmt::format("{}: cannot read: {}; a scene file (TOML) is needed", file_.string(),
                                    errno != 0 ? std::strerror(errno) : "input error"));
+    if (isMeshFile(file_))
+      throw InputError(
+          fmt::format("{}: is a mesh; give a scene (TOML) with [mesh] file = {}, or call ringwatch inspect "
+                      "{}, which needs none",
+                      file_.string(), inQuotes(file_.filename().string()), file_.string()));
     if (content.size() > mostBytes)
       throw InputError(fmt::format(
           "{}: is larger than 16 MiB; a scene file (TOML) is needed, meshes are files of their own", file_.string()));
@@ -118,7 +159,8 @@ class Reader {
     } catch (const toml::parse_error& fault) {
       std::string what(fault.description());
       std::replace(what.begin(), what.end(), '\n', ' ');
-      throw InputError(fmt::format("{}:{}: not TOML: {}", file_.string(), fault.source().begin.line, what));
+      const std::size_t line = fault.source().begin.line;
+      throw InputError(fmt::format("{}:{}: not TOML: {}{}", file_.string(), line, what, whatIsMeant(content, line)));
     }
   }
 
@@ -136,9 +178,17 @@ class Reader {
       parts.push_back(path.substr(begin, end - begin));
       begin = end + 1;
     }
-    if (equals == std::string::npos || parts.size() < 2 || parts.size() > 3)
+    if (equals == std::string::npos || parts.size() < 2 || parts.size() > 3) {
+      std::vector<std::string> meant;  // keys of that name
+      for (const SceneKey& key : sceneKeys())
+        if (equals != std::string::npos && key.key == path)
+          meant.push_back(fmt::format("{}{}.{}", key.section, findSection(key.section)->list ? ".0" : "", key.key));
       throw InputError(
-          fmt::format("{}: not an assignment; write section.key=value, e.g. integrator.step=1e-3", origin));
+          meant.empty()
+              ? fmt::format("{}: not an assignment; write section.key=value, e.g. integrator.step=1e-3", origin)
+              : fmt::format("{}: the section is missing; write {}={}", origin, fmt::join(meant, " or "),
+                            text.substr(equals + 1)));
+    }
 
     const toml::table assignment = parseValue(text.substr(equals + 1), origin);
     toml::table* target = nullptr;
@@ -175,12 +225,8 @@ class Reader {
         if (parsed.size() == 1 && parsed.contains("value")) return parsed;
       }
     } catch (const toml::parse_error&) {
-      const auto plain = [](char c) {
-        return std::isalnum(static_cast<unsigned char>(c)) || std::strchr("_-./:", c) != nullptr;
-      };
-      if (!text.empty() && std::isalpha(static_cast<unsigned char>(text.front())) &&
-          std::all_of(text.begin(), text.end(), plain))
-        return toml::table{{"value", text}};
+      if (const std::optional<double> fraction = numberOrFraction(text)) return toml::table{{"value", *fraction}};
+      if (isBareWord(text)) return toml::table{{"value", text}};
     }
     throw InputError(
         fmt::format("{}: the value is not TOML; write a number, a \"text\", true, false or [a, list]", origin));

@@ -162,7 +162,7 @@ TEST_F(Audits, RefuseBadInput) {
   expectRefused("audit a0.vtk", "--young is required, or --scene with the materials");
   expectRefused("audit nowhere.frd" + material, "nowhere.frd: cannot read: there is no such file");
   expectRefused("audit a0.vtk --displacement V" + material, "no field \"V\" of three components; there are \"U\"");
-  expectRefused("audit a0.vtk --step -1" + material, "--step: -1 is out of range");
+  expectRefused("audit a0.vtk --step -1" + material, "--step: \"-1\" is no time; must be a number > 0 or a fraction");
   expectRefused("audit a0.vtk --limit 0" + material, "--limit: 0 is out of range");
   expectRefused("audit a0.vtk --integrator implicit-euler" + material, "is no integrator with a critical step");
   folder_.write("other.vtk", folder_.read("a0.vtk").replace(folder_.read("a0.vtk").find("4 0 1 2 3"), 9, "4 0 2 1 3"));

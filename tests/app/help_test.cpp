@@ -18,6 +18,7 @@
 #include <ringwatch/app/output/output_fields.h>
 #include <ringwatch/app/scene/scene_keys.h>
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/nearest_name.h>
 #include <ringwatch/elements/registry.h>
 #include <ringwatch/handlers/handler.h>
 #include <ringwatch/materials/registry.h>
@@ -86,10 +87,15 @@ TEST_F(Words, EveryTopicListsItsRegistry) {
   for (const std::span<const OutputField> fields : {historyColumns(), summaryKeys(), frameFields()})
     for (const OutputField& field : fields) EXPECT_THAT(help("outputs"), lists(field.name));
   for (const ExitStatusInfo& info : exitStatuses) EXPECT_THAT(help("exit-status"), HasSubstr(info.meaning));
+  const std::string whole = call("run --help-scene").out;
+  EXPECT_THAT(whole, Not(HasSubstr("e+09")));
   for (const SceneSection& section : sceneSections()) EXPECT_THAT(help("scene"), HasSubstr(section.name));
-  for (const SceneKey& key : sceneKeys()) EXPECT_THAT(help("scene"), lists(key.key));
-  EXPECT_EQ(help("scene"), call("run --help-scene").out);
-  EXPECT_THAT(help("scene"), Not(HasSubstr("e+09")));
+  EXPECT_LE(lineCount(help("scene")), sceneSections().size() + 10);
+  for (const SceneKey& key : sceneKeys()) {
+    EXPECT_THAT(help("scene " + key.section), lists(key.key));
+    EXPECT_THAT(whole, lists(key.key));
+  }
+  EXPECT_THAT(help("scene contact"), Not(lists("snap")));  // of [[cut]]
 }
 
 TEST_F(Words, NoLineOfTheListOfTopicsIsBlank) {
@@ -120,6 +126,9 @@ TEST_F(Words, UnknownTopicsAreAnsweredWithAllOfThem) {
   EXPECT_THAT(refusal("help scne"),
               AllOf(HasSubstr("did you mean \"scene\"?"), HasSubstr("exit-status"), HasSubstr("run")));
   EXPECT_THAT(refusal("help weather"), AllOf(HasSubstr("unknown topic \"weather\"; known are"), HasSubstr("metrics")));
+  EXPECT_THAT(refusal("help scene contakt"), HasSubstr("scene has no \"contakt\"; did you mean \"contact\"?"));
+  EXPECT_THAT(refusal("help laws stvk"), HasSubstr("unknown argument \"stvk\"; write ringwatch help laws"));
+  EXPECT_THAT(refusal("help scene contact slip"), HasSubstr("write ringwatch help scene contact"));
   EXPECT_THAT(refusal("help mesh melt"), HasSubstr("known are generate, convert, check"));
   EXPECT_THAT(refusal("help run fast"), HasSubstr("ringwatch run has no command \"fast\""));
 }
@@ -127,14 +136,77 @@ TEST_F(Words, UnknownTopicsAreAnsweredWithAllOfThem) {
 TEST_F(Words, OnlyNearNamesAreProposed) {
   ASSERT_EQ(call("mesh generate cube --size 0.05 --cells 1 -o cube.msh").status, 0);
   const std::string material = " --young 30e3 --poisson 0.3 --density 1000 ";
-  EXPECT_THAT(refusal("inspect cube.msh --integrator newmark" + material),
-              AllOf(HasSubstr("unknown \"newmark\"; known are explicit-euler"), Not(HasSubstr("did you mean"))));
+  EXPECT_THAT(refusal("inspect cube.msh --integrator houbolt" + material),
+              AllOf(HasSubstr("unknown \"houbolt\"; known are explicit-euler"), Not(HasSubstr("did you mean"))));
   EXPECT_THAT(refusal("inspect cube.msh --integrator verlett" + material), HasSubstr("did you mean \"verlet\"?"));
   EXPECT_THAT(refusal("inspect cube.msh --fix set:clamp" + material),
               AllOf(HasSubstr("unknown node set \"clamp\"; the mesh has "), Not(HasSubstr("did you mean"))));
   EXPECT_THAT(refusal("frobnicate"), Not(HasSubstr("did you mean")));
   EXPECT_THAT(refusal("mesh generate torus -o a.msh"),
               AllOf(HasSubstr("known are bar"), Not(HasSubstr("did you mean"))));
+}
+
+// Names of the field lead to ours, in options, keys and values alike.
+TEST_F(Words, NamesOfTheFieldAreUnderstood) {
+  std::vector<std::string> ours;
+  for (const SceneKey& key : sceneKeys()) {
+    ours.push_back(key.key);
+    ours.insert(ours.end(), key.choices.begin(), key.choices.end());
+  }
+  for (const FieldTerm& term : fieldTerms) EXPECT_THAT(ours, ::testing::Contains(term.here)) << term.word;
+
+  ASSERT_EQ(call("mesh generate cube --size 0.05 --cells 1 -o cube.msh").status, 0);
+  const std::string material = " --young 30e3 --poisson 0.3 --density 1000 ";
+  for (const std::string scheme :
+       {"leapfrog", "central-difference", "Central_Difference", "velocity-verlet", "newmark"})
+    EXPECT_THAT(refusal("inspect cube.msh --integrator " + scheme + material), HasSubstr("did you mean \"verlet\"?"));
+  EXPECT_THAT(refusal("inspect cube.msh --E 30e3 --poisson 0.3 --density 1000"),
+              HasSubstr("did you mean \"--young\"?"));
+  folder_.write("scene.toml", test::tiny);
+  EXPECT_THAT(refusal("run scene.toml --set output.fields=['mises']"), HasSubstr("did you mean \"von_mises\"?"));
+  EXPECT_THAT(refusal("run scene.toml --set integrator.method=leapfrog"), HasSubstr("did you mean \"verlet\"?"));
+  EXPECT_THAT(refusal("run scene.toml --set integrator.dt=1"), HasSubstr("did you mean \"step\"?"));
+}
+
+// What was meant is named where a word stands for something else.
+TEST_F(Words, SlipsNameWhatWasMeant) {
+  ASSERT_EQ(call("mesh generate cube --size 0.05 --cells 1 -o cube.msh").status, 0);
+  const std::string material = " --young 30e3 --poisson 0.3 --density 1000 ";
+  EXPECT_THAT(refusal("inspect cube.msh --fix clamp" + material), HasSubstr("a named set is written \"set:clamp\""));
+  EXPECT_THAT(refusal("run cube.msh"),
+              AllOf(HasSubstr("cube.msh: is a mesh; give a scene (TOML)"), HasSubstr("ringwatch inspect cube.msh")));
+  const std::string scene = test::tiny;
+  const auto with = [&](const std::string& from, const std::string& to) {
+    std::string text = scene;
+    folder_.write("scene.toml", text.replace(text.find(from), from.size(), to));
+  };
+  with("model = \"stvk\"", "model = stvk  # soft");
+  EXPECT_THAT(refusal("run scene.toml"), HasSubstr("scene.toml:6: not TOML: "));
+  EXPECT_THAT(refusal("run scene.toml"), HasSubstr("a text stands in quotes, model = \"stvk\""));
+  with("step = 1e-3", "step = 1/1000");
+  EXPECT_THAT(refusal("run scene.toml"),
+              AllOf(HasSubstr("scene.toml:11: not TOML: "), HasSubstr("write step = 0.001")));
+  folder_.write("scene.toml", scene);
+  EXPECT_THAT(refusal("run scene.toml --set step=1e-4"),
+              HasSubstr("--set step=1e-4: the section is missing; write integrator.step=1e-4 or "));
+  EXPECT_EQ(call("run scene.toml --quiet --out r --set integrator.step=1/2000 --set output.picture=false").status, 0);
+  EXPECT_EQ(json("r/summary.json")["largest_step"].get<double>(), 1.0 / 2000);
+
+  // Every option that is a step takes what suggest takes.
+  const auto step = [&](const std::string& h) {
+    return call("inspect cube.msh --step " + h + " --prove " + h + " --json -" + material).out;
+  };
+  EXPECT_EQ(step("1/1000"), step("0.001"));
+
+  folder_.write("sets.inp",
+                "*NODE\n1, 0, 0, 0\n2, 1, 0, 0\n3, 0, 1, 0\n4, 0, 0, 1\n*ELEMENT, TYPE=C3D4, ELSET=all\n"
+                "1, 1, 2, 3, 4\n*NSET, NSET=foot\n1, 2\n");
+  EXPECT_THAT(refusal("inspect sets.inp --fix set:all" + material),
+              HasSubstr("\"all\" is a set of elements, and nodes are selected here; the mesh has the node sets foot"));
+  with("generate = \"bar\"\nsize = [0.1, 0.02, 0.02]\ncells = [5, 1, 1]", "file = \"sets.inp\"");
+  EXPECT_THAT(
+      refusal("run scene.toml --set material.set=foot"),
+      HasSubstr("\"foot\" is a set of nodes, and elements are selected here; the mesh has the element sets all"));
 }
 
 TEST_F(Words, LongArgumentsDoNotFillTheScreen) {

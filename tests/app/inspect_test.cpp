@@ -179,7 +179,7 @@ TEST_F(Program, InspectRefusesBadInput) {
   expectRefused(std::string("inspect cube.msh --picture nowhere/a.svg") + material, "nowhere");
   expectRefused(std::string("inspect cube.msh --integrator explicit-euler") + material, "unstable at every step");
   expectRefused(std::string("inspect cube.msh --integrator verlett") + material, "did you mean \"verlet\"?");
-  expectRefused(std::string("inspect cube.msh --step 0") + material, "--step: 0 is out of range");
+  expectRefused(std::string("inspect cube.msh --step 0") + material, "--step: \"0\" is no time; must be a number > 0 or a fraction");
   expectRefused(std::string("inspect cube.msh --step nan") + material, "--step");
   expectRefused(std::string("inspect cube.msh --lanczos 1") + material, "--lanczos: 1 is out of range");
   expectRefused(std::string("inspect cube.msh --lanczos 1e-300") + material, "eta = 1e-300");

@@ -47,8 +47,8 @@ TEST_F(Registration, IsListedInTheHelp) {
   EXPECT_THAT(call("help integrators").out, HasSubstr("two-halves"));
   EXPECT_THAT(call("help metrics").out, HasSubstr("doubled"));
   EXPECT_THAT(call("help handlers").out, ::testing::AllOf(HasSubstr("substeps"), HasSubstr("subcycles")));
-  EXPECT_THAT(call("help scene").out, ::testing::AllOf(HasSubstr("log-mooney-rivlin: bulk modulus at rest"),
-                                                       HasSubstr("substeps: that make a step")));
+  EXPECT_THAT(call("run --help-scene").out, ::testing::AllOf(HasSubstr("log-mooney-rivlin: bulk modulus at rest"),
+                                                             HasSubstr("substeps: that make a step")));
   EXPECT_THAT(call("inspect --help").out, HasSubstr("--c10"));
 }
 
@@ -121,7 +121,7 @@ TEST_F(Registration, AnElementIsMeshedWrittenReadAndInspected) {
   EXPECT_THAT(call("help elements").out,
               ::testing::AllOf(HasSubstr("wedge15           15 nodes, order 2; VTK cell 26, gmsh type 18"),
                                HasSubstr("gauss-6x3")));
-  EXPECT_THAT(call("help scene").out, HasSubstr("wedge15"));
+  EXPECT_THAT(call("run --help-scene").out, HasSubstr("wedge15"));
   const std::string box = "mesh generate bar --size 0.1 0.02 0.02 --cells 5 1 1 --jitter 0.1 ";
   ASSERT_EQ(call(box + "--element wedge15 -o a.vtu").status, 0);
   ASSERT_EQ(call("mesh convert a.vtu b.msh").status, 0);
