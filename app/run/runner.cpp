@@ -1,5 +1,6 @@
 #include <ringwatch/app/run/runner.h>
 
+#include <chrono>
 #include <functional>
 
 #include <fmt/format.h>
@@ -10,6 +11,7 @@
 #include <ringwatch/app/run/run_checkpoints.h>
 #include <ringwatch/app/run/run_cuts.h>
 #include <ringwatch/app/run/run_erosion.h>
+#include <ringwatch/app/run/run_forecast.h>
 #include <ringwatch/app/run/run_listener.h>
 #include <ringwatch/app/run/simulation.h>
 #include <ringwatch/app/run/stopwatch.h>
@@ -69,6 +71,7 @@ class Runner {
 
   /// Steps until something ends the run.
   void step() {
+    stepsAtStart_ = run_.result.steps;
     for (std::int64_t k = run_.result.steps;; k = run_.result.steps) {
       run_.setLoads();
       // A rounding error in the sum of the steps must not add one.
@@ -94,6 +97,7 @@ class Runner {
       tellListener(report);
       if (run_.stopsAt(report)) return run_.end(reasonToStop(report), textOfStop(report));
       if (!run_.takeStep(report)) return;
+      forecast(report);
       showProgress(report);
     }
   }
@@ -120,14 +124,28 @@ class Runner {
                                     run_.result.monitorTime, run_.result.outputTime, soFar});
   }
 
+  void forecast(const MonitorReport& report) {
+    if (!run_.options.progress) return;
+    const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    const std::string told = forecast_.observe(
+        {elapsed, run_.result.steps - stepsAtStart_, run_.state.time, run_.scene.end, run_.steps.step()},
+        [&]() -> std::string {
+          if (!report.bracket) return run_.scene.proves() ? "" : "the monitor's metric";
+          if (report.bracket->discreteShare > 0.5) return "a spring or contact, with its damping and friction,";
+          return elementText(run_.body.mesh(), report.bracket->controlling);
+        });
+    if (!told.empty()) progress_.tell(told, false);
+  }
+
   void showProgress(const MonitorReport& report) {
     if (!progress_.due()) return;
     const double time = run_.state.time, end = run_.scene.end, h = run_.steps.step();
-    progress_.show(fmt::format("step {} of about {:.0f}, t = {:.4g} of {:.4g} s, h = {:.4g} s{}{}", report.step,
-                               static_cast<double>(report.step) + (end - time) / h, time, end, h,
+    progress_.show(fmt::format("step {} of about {:.0f}, t = {:.4g} of {:.4g} s, h = {:.4g} s{}{}, {} left",
+                               report.step, static_cast<double>(report.step) + (end - time) / h, time, end, h,
                                report.bracket ? fmt::format(", safe {:.4g} s", report.bracket->safe) : "",
-                               run_.watch.monitors() ? fmt::format(", {}", verdictName(report.verdict)) : ""),
-                   time / end);
+                               run_.watch.monitors() ? fmt::format(", {}", verdictName(report.verdict)) : "",
+                               RunForecast::durationText(forecast_.left())),
+                   0);
   }
 
   Simulation run_;
@@ -135,6 +153,9 @@ class Runner {
   RunErosion erosion_;
   RunCheckpoints checkpoints_;
   ProgressLine progress_;
+  RunForecast forecast_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::int64_t stepsAtStart_ = 0;
 };
 
 }  // namespace
