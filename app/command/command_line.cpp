@@ -36,6 +36,7 @@
 #include <ringwatch/app/report/run_report.h>
 #include <ringwatch/app/run/checkpoint.h>
 #include <ringwatch/app/run/runner.h>
+#include <ringwatch/app/scene/body_notes.h>
 #include <ringwatch/app/scene/scene_keys.h>
 #include <ringwatch/app/scene/scene_mesh.h>
 #include <ringwatch/base/atomic_file.h>
@@ -388,6 +389,7 @@ struct RunCommand {
     if (live) options.listener = &watch.emplace(results, neededReportWriters().ofRun, !quiet);
     options.provenance = provenanceOf(commandText(), scene);
     Body body = sceneBody(description, sceneMesh(description, options.notes), threads);
+    for (std::string& note : bodyNotes(body)) options.notes.push_back(std::move(note));
     const RunResult result = runScene(description, body, options);
     watch.reset();
     const bool cutShort = result.reason == ExitReason::interrupted;

@@ -10,6 +10,7 @@
 #include <ringwatch/app/command/progress.h>
 #include <ringwatch/app/output/frames.h>
 #include <ringwatch/app/output/report.h>
+#include <ringwatch/app/scene/body_notes.h>
 #include <ringwatch/app/scene/scene.h>
 #include <ringwatch/app/scene/scene_discrete.h>
 #include <ringwatch/base/atomic_file.h>
@@ -262,6 +263,7 @@ MeshFigures figuresOf(const Subject& subject, const std::vector<std::vector<Elem
                       .elementSets = {},
                       .volume = subject.body.volume(),
                       .mass = subject.body.totalMass(),
+                      .body = bodyFigures(subject.body),
                       .quality = summarizeQuality(quality),
                       .notes = subject.notes};
   for (const auto& [name, set] : mesh.nodeSets) figures.nodeSets[name] = static_cast<std::int64_t>(set.size());
@@ -477,9 +479,11 @@ void reportMesh(const MeshFigures& figures, const Json& state, const InspectOpti
   json["mesh"] = meshJson(figures.nodes, figures.elements, figures.volume);
   json["mesh"].update(setsJson(figures));
   json["mass"] = figures.mass;
+  if (figures.body) json["body"] = figures.body->json();
   json["state"] = state;
   result.text = fmt::format("{}: {} nodes, {}\n  volume {:.10g} m3, mass {:.10g} kg\n", options.mesh.string(),
                             figures.nodes, elementCounts(figures.elements), figures.volume, figures.mass);
+  if (figures.body) result.text += fmt::format("  {}\n", figures.body->text());
   result.text += setsText(figures);
   for (const std::string& note : figures.notes) result.text += fmt::format("  note: {}\n", note);
   json["quality"] = qualityJson(figures.quality);
@@ -631,7 +635,8 @@ void reportHandlerChoice(const Subject& subject, double h, const CriticalStep& s
 InspectResult inspectMesh(const InspectOptions& options) {
   const std::vector<std::string> wanted = metricsWanted(options.metrics, !options.bracket);
   checkOptions(options);
-  const Subject subject = subjectOf(options);
+  Subject subject = subjectOf(options);
+  for (std::string& note : bodyNotes(subject.body)) subject.notes.push_back(std::move(note));
   const auto quality = meshQuality(subject.body.mesh());
 
   InspectResult result;

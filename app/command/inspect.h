@@ -11,6 +11,7 @@
 
 #include <ringwatch/app/command/exit_status.h>
 #include <ringwatch/app/output/report.h>
+#include <ringwatch/app/scene/body_notes.h>
 #include <ringwatch/app/scene/scene.h>
 #include <ringwatch/body/body.h>
 #include <ringwatch/meshes/quality.h>
@@ -90,6 +91,7 @@ struct MeshFigures {
   ElementCounts elements;
   std::map<std::string, std::int64_t> nodeSets, elementSets;  // members
   double volume = 0, mass = 0;                                // m³, kg
+  std::optional<BodyFigures> body = {};                       // of one that a process has as a whole
   std::vector<QualitySummary> quality;
   std::vector<std::string> notes;
 };

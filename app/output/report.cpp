@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <ringwatch/app/scene/body_notes.h>
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/body/discrete_forces.h>
 
@@ -298,6 +299,7 @@ Json summaryJson(const Scene& scene, const Body& body, const RunResult& result) 
       {"scene", scene.echo},
       {"mesh", meshJson(body.mesh(), body.volume())},
       {"mass", body.totalMass()},
+      {"body", bodyFigures(body).json()},
       {"materials", materialsJson(scene, body, result)},
       {"rigid_bodies", rigidBodiesJson(body)},
       {"governing_material",
@@ -339,6 +341,7 @@ std::string summaryText(const Scene& scene, const Body& body, const RunResult& r
                         const std::filesystem::path& folder) {
   std::string text = fmt::format("{}: {} nodes, {}, {:.6g} kg, {}\n", scene.file.string(), body.mesh().nodeCount(),
                                  elementCounts(body.mesh()), body.totalMass(), scene.method);
+  text += fmt::format("{}\n", bodyFigures(body).text());
   text +=
       fmt::format("{} steps to t = {:.6g} s, {}; {:.2f} s of wall time (force {:.2f}, monitor {:.2f}, output {:.2f})\n",
                   result.steps, result.time, result.reasonText, result.wallTime, result.forceTime, result.monitorTime,

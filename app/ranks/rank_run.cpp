@@ -32,6 +32,7 @@
 #include <ringwatch/app/run/step_policy.h>
 #include <ringwatch/app/run/stopwatch.h>
 #include <ringwatch/app/run/timed_loads.h>
+#include <ringwatch/app/scene/body_notes.h>
 #include <ringwatch/app/scene/scene_state.h>
 #include <ringwatch/base/archive.h>
 #include <ringwatch/base/atomic_file.h>
@@ -150,6 +151,7 @@ class RankRun {
       Mesh mesh = sceneMesh(scene_, result_.notes);
       const int threads = threadsOfRank(ranks_, request_.threads, mesh);
       whole_ = std::make_unique<Body>(sceneBody(scene_, std::move(mesh), threads));
+      for (std::string& note : bodyNotes(*whole_)) result_.notes.push_back(std::move(note));
       if (saved) {
         requireSameMesh(*saved, scene_, *whole_);
         resumeMotion(whole_->constraints(), saved->parts.at("moved").get<std::vector<double>>());

@@ -1,4 +1,5 @@
 // `ringwatch inspect`: its human-readable report and its files, and what it refuses.
+#include <cmath>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -121,6 +122,60 @@ TEST_F(Program, InspectReportsForPeopleAndFiles) {
   EXPECT_EQ(readMesh(folder_.path() / "report.vtu").elementCount(), 48u);
 }
 
+// An element of n nodes and q points has 3n - 6 deforming modes, of which q points resist at most 6q.
+TEST_F(Program, InspectAndRunTellOfModesWithoutStiffness) {
+  const std::string law = " --young 1e6 --poisson 0.3 --density 1000 --fix \"x < 1e-6\"";
+  const auto notes = [&](const std::string& element, const std::string& rule) {
+    EXPECT_EQ(call("mesh generate bar --size 0.2 0.1 0.1 --cells 2 1 1 --element " + element + " -o bar.vtu").status,
+              0);
+    const Outcome outcome = call("inspect bar.vtu --rule " + element + "=" + rule + law);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return outcome.out;
+  };
+  EXPECT_THAT(notes("hex20", "gauss-2x2x2"),
+              HasSubstr("hex20 with the rule gauss-2x2x2: an element alone has 6 modes without stiffness"));
+  EXPECT_EQ(notes("hex20", "gauss-3x3x3").find("without stiffness"), std::string::npos);
+  EXPECT_EQ(notes("hex8", "gauss-2x2x2").find("without stiffness"), std::string::npos);
+  EXPECT_EQ(notes("hex8", "uniform-strain").find("without stiffness"), std::string::npos);
+
+  const std::string scene =
+      "[mesh]\ngenerate = \"bar\"\nsize = [0.2, 0.1, 0.1]\ncells = [2, 1, 1]\nelement = \"hex8\"\n"
+      "[material]\nmodel = \"linear\"\nyoung = 1e6\npoisson = 0.3\ndensity = 1000\n"
+      "rules = [\"hex8=uniform-strain\"]\nhourglass_stiffness = 0.0\n"
+      "[integrator]\nstep = \"auto\"\nend = 1e-3\n[[fix]]\nwhere = \"x < 1e-6\"\n";
+  folder_.write("scene.toml", scene);
+  ASSERT_EQ(call("run scene.toml --out r --set output.picture=false").status, 0);
+  EXPECT_THAT(json("r/summary.json")["notes"].dump(),
+              HasSubstr("hex8 with the rule uniform-strain: an element alone has 12 modes without stiffness"));
+  ASSERT_EQ(call("run scene.toml --out r --set output.picture=false --set material.hourglass_stiffness=0.05").status,
+            0);
+  EXPECT_EQ(json("r/summary.json")["notes"].dump().find("without stiffness"), std::string::npos);
+}
+
+// The speed of pressure waves is √(E (1 - ν) / ((1 + ν) (1 - 2ν) ρ)): 6001 m/s in steel.
+TEST_F(Program, InspectTellsOfUnitsAndOfABodyThatNothingHolds) {
+  const auto inspect = [&](const std::string& size, const std::string& law) {
+    EXPECT_EQ(call("mesh generate bar --size " + size + " --cells 2 1 1 -o bar.msh").status, 0);
+    return call("inspect bar.msh --poisson 0.3 " + law + " --json body.json").out;
+  };
+  const std::string steel = inspect("0.2 0.1 0.05", "--young 2.1e11 --density 7850 --fix \"x < 1e-6\"");
+  EXPECT_EQ(steel.find("note:"), std::string::npos) << steel;
+  const double speed = std::sqrt(2.1e11 * 0.7 / (1.3 * 0.4 * 7850));
+  const Json body = json("body.json")["body"];
+  EXPECT_NEAR(body["wave_speed"]["slowest"].get<double>(), speed, 1e-9 * speed);
+  EXPECT_NEAR(body["wave_speed"]["fastest"].get<double>(), speed, 1e-9 * speed);
+  EXPECT_NEAR(body["crossing_time"].get<double>(), 0.2 / speed, 1e-9);
+  for (const int i : {0, 1, 2}) EXPECT_NEAR(body["size"][i].get<double>(), i == 0 ? 0.2 : i == 1 ? 0.1 : 0.05, 1e-15);
+
+  EXPECT_THAT(inspect("200 100 50", "--young 2.1e5 --density 7.85e-9 --fix \"x < 1e-6\""),
+              HasSubstr("a wave speed of 6.001e+06 m/s is none of a solid; in mm, t and s it is one of 6001 m/s"));
+  EXPECT_THAT(inspect("0.2 0.1 0.05", "--young 2.1e5 --density 7850 --fix \"x < 1e-6\""),
+              HasSubstr("a wave speed of 6.001 m/s is none of a solid; with a modulus in MPa"));
+  const std::string gel = inspect("0.2 0.1 0.05", "--young 30e3 --density 1000");
+  EXPECT_EQ(gel.find("none of a solid"), std::string::npos) << gel;
+  EXPECT_THAT(gel, HasSubstr("note: nothing is held: the body can fly and turn as a whole"));
+}
+
 TEST_F(Program, InspectShowsDistributions) {
   ASSERT_EQ(call("mesh generate cube --size 0.05 --cells 3 --jitter 0.3 -o cube.msh").status, 0);
   for (const std::string picture : {"spread.svg", "spread.png"}) {
@@ -179,7 +234,8 @@ TEST_F(Program, InspectRefusesBadInput) {
   expectRefused(std::string("inspect cube.msh --picture nowhere/a.svg") + material, "nowhere");
   expectRefused(std::string("inspect cube.msh --integrator explicit-euler") + material, "unstable at every step");
   expectRefused(std::string("inspect cube.msh --integrator verlett") + material, "did you mean \"verlet\"?");
-  expectRefused(std::string("inspect cube.msh --step 0") + material, "--step: \"0\" is no time; must be a number > 0 or a fraction");
+  expectRefused(std::string("inspect cube.msh --step 0") + material,
+                "--step: \"0\" is no time; must be a number > 0 or a fraction");
   expectRefused(std::string("inspect cube.msh --step nan") + material, "--step");
   expectRefused(std::string("inspect cube.msh --lanczos 1") + material, "--lanczos: 1 is out of range");
   expectRefused(std::string("inspect cube.msh --lanczos 1e-300") + material, "eta = 1e-300");

@@ -1,0 +1,109 @@
+#include <ringwatch/app/scene/body_notes.h>
+
+#include <algorithm>
+#include <set>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+#include <Eigen/Eigenvalues>
+
+#include <ringwatch/base/infinity.h>
+#include <ringwatch/body/discrete_forces.h>
+
+namespace ringwatch {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int rigidModes = 6;
+
+/// Eigenvalues of an element's tangent at rest that are rounding, beyond those of rigid motions.
+int modesWithoutStiffness(const Body& body, ElementRef element) {
+  const Eigen::MatrixXd K = body.elementTangent(element, body.mesh().X);
+  const Eigen::VectorXd lambda =
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(K, Eigen::EigenvaluesOnly).eigenvalues();
+  // Rounding leaves some 1e-15 of the largest, a needle 10⁴ times as long as thick has 1e-8.
+  constexpr double rounding = 1e-12;
+  const double largest = lambda.cwiseAbs().maxCoeff();
+  if (!(largest > 0)) return 0;  // within a rigid body
+  return std::max(0, static_cast<int>((lambda.cwiseAbs().array() < rounding * largest).count()) - rigidModes);
+}
+
+void addModes(const Body& body, std::vector<std::string>& notes) {
+  std::set<std::pair<std::string_view, std::string_view>> seen;
+  for (std::size_t b = 0; b < body.blocks().size(); ++b) {
+    if (body.mesh().blocks[b].elementCount() == 0) continue;
+    const ElementBlock& block = *body.blocks()[b];
+    if (!seen.emplace(block.element().name, block.rule().name).second) continue;
+    const int modes = modesWithoutStiffness(body, {static_cast<std::int32_t>(b), 0});
+    if (modes == 0) continue;
+    notes.push_back(fmt::format(
+        "{} with the rule {}: an element alone has {} mode{} without stiffness beside its rigid motions, and nothing "
+        "resists {}; choose another rule{}",
+        block.element().name, block.rule().name, modes, modes == 1 ? "" : "s", modes == 1 ? "it" : "them",
+        block.rule().uniformStrain ? ", or hourglass_stiffness > 0" : ""));
+  }
+}
+
+/// Speeds of pressure waves, m/s, that solids have: rubber is not below, diamond, which no structure is of, above.
+constexpr double slowestOfSolids = 10, fastestOfSolids = 12'000;
+/// Gels and foams are slower, and lighter than this, kg/m³.
+constexpr double densestOfSlow = 2000;
+constexpr double thousand = 1000;  // mm in a m, Pa in a kPa
+
+void addUnits(const Body& body, std::vector<std::string>& notes) {
+  const auto isOfSolids = [](double speed) { return speed >= slowestOfSolids && speed <= fastestOfSolids; };
+  for (const auto& block : body.blocks()) {
+    const double speed = block->material().waveSpeed(), density = block->material().density;
+    if (isOfSolids(speed) || (speed < slowestOfSolids && density < densestOfSlow)) continue;
+    notes.push_back(fmt::format(
+        "a wave speed of {:.4g} m/s is none of a solid; {}", speed,
+        speed > fastestOfSolids && isOfSolids(speed / thousand)
+            ? fmt::format("in mm, t and s it is one of {:.4g} m/s: read m as mm, kg as t, Pa as MPa, J as mJ, and give "
+                          "all of the scene in these",
+                          speed / thousand)
+        : isOfSolids(speed * thousand)
+            ? fmt::format(
+                  "with a modulus in MPa beside m, kg and s it would be one of {:.4g} m/s; give the modulus in Pa",
+                  speed * thousand)
+            : "are modulus and density in consistent units?"));
+    return;
+  }
+}
+
+}  // namespace
+
+BodyFigures bodyFigures(const Body& body) {
+  const NodeVectors& X = body.mesh().X;
+  BodyFigures figures{X.rowwise().maxCoeff() - X.rowwise().minCoeff(), infinity, 0};
+  for (const auto& block : body.blocks()) {
+    const double speed = block->material().waveSpeed();
+    figures.slowest = std::min(figures.slowest, speed);
+    figures.fastest = std::max(figures.fastest, speed);
+  }
+  return figures;
+}
+
+std::string BodyFigures::text() const {
+  return fmt::format("{:.4g} x {:.4g} x {:.4g} m, pressure waves at {}{:.4g} m/s, {:.4g} s along the longest side",
+                     size[0], size[1], size[2], slowest < fastest ? fmt::format("{:.4g} to ", slowest) : "", fastest,
+                     crossing());
+}
+
+Json BodyFigures::json() const {
+  return Json{{"size", {size[0], size[1], size[2]}},
+              {"wave_speed", {{"slowest", slowest}, {"fastest", fastest}}},
+              {"crossing_time", crossing()}};
+}
+
+std::vector<std::string> bodyNotes(const Body& body) {
+  std::vector<std::string> notes;
+  addModes(body, notes);
+  if (!body.constraints().any() && body.constraints().rigidBodies().empty() && !body.discreteForces())
+    notes.emplace_back("nothing is held: the body can fly and turn as a whole");
+  addUnits(body, notes);
+  return notes;
+}
+
+}  // namespace ringwatch

@@ -1,0 +1,26 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include <ringwatch/body/body.h>
+
+namespace ringwatch {
+
+/// How large a body is and how fast waves cross it, at rest: numbers that a wrong unit makes absurd.
+struct BodyFigures {
+  Eigen::Vector3d size;     // m, along x, y, z
+  double slowest, fastest;  // m/s, pressure waves of its materials
+  /// Time, s, in which the fastest wave runs along the longest side.
+  double crossing() const { return size.maxCoeff() / fastest; }
+  std::string text() const;
+  nlohmann::ordered_json json() const;
+};
+BodyFigures bodyFigures(const Body& body);
+
+/// What a user may not have meant, one sentence each: elements with modes that nothing resists, a body that nothing
+/// holds, and a wave speed that no solid has.
+std::vector<std::string> bodyNotes(const Body& body);
+
+}  // namespace ringwatch
