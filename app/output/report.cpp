@@ -217,6 +217,12 @@ Json trafficJson(const RunResult& result) {
           {"waited", traffic.waited}};
 }
 
+/// ": 0.12 times the force"; "" where one of both took no time.
+std::string monitorOverForce(const RunResult& result) {
+  if (!(result.forceTime > 0) || !(result.monitorTime > 0)) return {};
+  return fmt::format(": {:.2g} times the force", result.monitorTime / result.forceTime);
+}
+
 Json momentJson(const std::optional<RunResult::Moment>& moment) {
   if (!moment) return nullptr;
   return Json{{"step", moment->step}, {"time", moment->time}};
@@ -342,10 +348,10 @@ std::string summaryText(const Scene& scene, const Body& body, const RunResult& r
   std::string text = fmt::format("{}: {} nodes, {}, {:.6g} kg, {}\n", scene.file.string(), body.mesh().nodeCount(),
                                  elementCounts(body.mesh()), body.totalMass(), scene.method);
   text += fmt::format("{}\n", bodyFigures(body).text());
-  text +=
-      fmt::format("{} steps to t = {:.6g} s, {}; {:.2f} s of wall time (force {:.2f}, monitor {:.2f}, output {:.2f})\n",
-                  result.steps, result.time, result.reasonText, result.wallTime, result.forceTime, result.monitorTime,
-                  result.outputTime);
+  text += fmt::format(
+      "{} steps to t = {:.6g} s, {}; {:.2f} s of wall time (force {:.2f}, monitor {:.2f}{}, output {:.2f})\n",
+      result.steps, result.time, result.reasonText, result.wallTime, result.forceTime, result.monitorTime,
+      monitorOverForce(result), result.outputTime);
   if (result.steps > 0)
     text += result.smallestStep == result.largestStep
                 ? fmt::format("step {:.6g} s, ", result.smallestStep)
