@@ -51,9 +51,18 @@ NodeVectorsView nodalOf(const char* name, py::handle given, Eigen::Index nodes) 
   return {realsOf(name, given, {nodes, 3}).data(), nodes};
 }
 
-std::vector<std::int64_t> integersOf(const char* name, py::handle given, py::ssize_t dimensions) {
+py::object listAsArray(py::handle given) {
+  if (py::isinstance<py::sequence>(given) && !py::isinstance<py::array>(given) && !py::isinstance<py::str>(given)) {
+    if (const auto array = py::array::ensure(given)) return array;
+    PyErr_Clear();  // of rows of different lengths: the caller says what is right
+  }
+  return py::reinterpret_borrow<py::object>(given);
+}
+
+std::vector<std::int64_t> integersOf(const char* name, py::handle listed, py::ssize_t dimensions) {
+  const py::object given = listAsArray(listed);
   const auto refuse = [&](const std::string& what) {
-    throw InputError(joinText(name, ": ", what, "; must be an array of whole numbers, int32 or int64, of ", dimensions,
+    throw InputError(joinText(name, ": ", what, "; must be an array or a list of whole numbers, of ", dimensions,
                               " dimension", dimensions == 1 ? "" : "s"));
   };
   if (!py::isinstance<py::array>(given)) refuse(describe(given));

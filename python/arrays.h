@@ -27,12 +27,15 @@ std::span<const double> realsOf(const char* name, py::handle given, const std::v
 /// realsOf.
 NodeVectorsView nodalOf(const char* name, py::handle given, Eigen::Index nodes);
 
-/// The numbers of an array of whole numbers of any type and of `dimensions` dimensions. Throws InputError for another
-/// type or dimension.
+/// Makes an array of a list, a tuple or another sequence; returns anything else as it is.
+py::object listAsArray(py::handle given);
+
+/// The numbers of an array or list of whole numbers of any type and of `dimensions` dimensions. Throws InputError for
+/// another type or dimension.
 std::vector<std::int64_t> integersOf(const char* name, py::handle given, py::ssize_t dimensions);
 
-/// Indices of an array of whole numbers of any type and of `dimensions` dimensions, copied. Throws InputError for
-/// another type or dimension and for a number outside [0, end).
+/// Indices of an array or list of whole numbers of any type and of `dimensions` dimensions, copied. Throws InputError
+/// for another type or dimension and for a number outside [0, end).
 std::vector<std::int32_t> indicesOf(const char* name, py::handle given, py::ssize_t dimensions, std::int64_t end);
 
 /// An (N, 3) array that owns the vectors: they are moved, not copied.

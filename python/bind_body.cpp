@@ -6,8 +6,11 @@
 #include <pybind11/stl.h>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/nearest_name.h>
+#include <ringwatch/base/user_text.h>
 #include <ringwatch/python/arrays.h>
 #include <ringwatch/python/held.h>
+#include <ringwatch/python/signatures.h>
 
 namespace ringwatch::python {
 namespace {
@@ -67,14 +70,25 @@ std::array<bool, 3> componentsOf(const std::string& text) {
   return chosen;
 }
 
-/// Nodes by their numbers, or by a flag for each node.
-std::vector<std::int32_t> nodesOf(py::handle given, Eigen::Index nodes) {
+/// Nodes by the name of a set, by their numbers, or by a flag for each node.
+std::vector<std::int32_t> nodesOf(py::handle listed, const Mesh& mesh) {
+  if (py::isinstance<py::str>(listed)) {
+    const auto name = listed.cast<std::string>();
+    if (const auto set = mesh.nodeSets.find(name); set != mesh.nodeSets.end()) return set->second;
+    std::vector<std::string_view> known;
+    for (const auto& [other, set] : mesh.nodeSets) known.push_back(other);
+    throw InputError(joinText("nodes: unknown set ", inQuotes(name), "; ",
+                              known.empty() ? std::string("the mesh has none")
+                                            : joinText(didYouMean(name, known), "known are ", shortList(known))));
+  }
+  const py::object given = listAsArray(listed);
+  const Eigen::Index nodes = mesh.nodeCount();
   using Flags = py::array_t<bool, py::array::c_style>;
   if (!py::isinstance<Flags>(given)) return indicesOf("nodes", given, 1, nodes);
   const auto flags = py::reinterpret_borrow<Flags>(given);
   if (flags.ndim() != 1 || flags.size() != nodes)
     throw InputError(joinText("nodes: ", describe(given), "; must be a flag for each node, of shape ",
-                              shapeText({nodes}), ", or an array of node numbers"));
+                              shapeText({nodes}), ", an array or a list of node numbers, or the name of a set"));
   std::vector<std::int32_t> chosen;
   for (py::ssize_t i = 0; i < flags.size(); ++i)
     if (flags.data()[i]) chosen.push_back(i);
@@ -88,7 +102,7 @@ void requireFinite(const char* name, const Vector& vector, const char* unit) {
 }
 
 void fix(HeldBody& held, py::handle nodes, const std::string& components, const Vector& v) {
-  const std::vector<std::int32_t> chosen = nodesOf(nodes, held.body.nodeCount());
+  const std::vector<std::int32_t> chosen = nodesOf(nodes, held.body.mesh());
   const std::array<bool, 3> fixed = componentsOf(components);
   requireFinite("velocity", v, "m/s");
   changing(held, [&] {
@@ -156,25 +170,33 @@ void addBodyForce(HeldBody& held, const Vector& a) {
 }  // namespace
 
 void bindBody(py::module_& module) {
-  py::class_<Material>(module, "Material",
-                       "A constitutive law and a density (kg/m3): Material(\"stvk\", young=30e3, poisson=0.3, "
-                       "density=1000).\n\nThe other keywords are the law's own parameters; `ringwatch help laws` lists "
-                       "them. Raises InputError for an\nunknown law or parameter and for a value out of range.")
-      .def(py::init(&materialOf), py::arg("model"), py::pos_only(), py::kw_only(), py::arg("density"))
+  bindClass<py::class_<Material>>(
+      module, "Material", py::init(&materialOf),
+      "A constitutive law and a density (kg/m3): Material(\"stvk\", young=30e3, poisson=0.3, density=1000).\n\n"
+      "The other keywords are the law's own parameters; `ringwatch help laws` lists them. Raises InputError for an\n"
+      "unknown law or parameter and for a value out of range.",
+      "**parameters", py::arg("model"), py::pos_only(), py::kw_only(), py::arg("density"))
       .def_property_readonly("model", [](const Material& self) { return std::string(self.lawName()); })
       .def_readonly("density", &Material::density, "kg/m3")
-      .def_property_readonly("wave_speed", &Material::waveSpeed, "Of a pressure wave at rest, m/s.");
+      .def_property_readonly("wave_speed", &Material::waveSpeed, "Of a pressure wave at rest, m/s.")
+      .def("__repr__", [](const Material& self) {
+        return joinText("<Material ", self.lawName(), ": ", self.density, " kg/m3, pressure wave ", self.waveSpeed(),
+                        " m/s>");
+      });
 
-  py::class_<HeldBody, std::shared_ptr<HeldBody>>(
-      module, "Body",
-      "A mesh made computable by a material: masses, forces, energies, tangents, supports.\n\nBody(mesh, material, *, "
-      "lumping=\"row-sum\", rules={}, threads=0)\n\nmaterial: one, or a list of one for each block. lumping: row-sum, "
-      "equal or diagonal-scaling. rules: quadrature rule by\nelement name. threads: 0 for all; results do not depend "
-      "on "
-      "it. Several threads of Python may use a body at once.\nRaises InputError; NumericalError for an element without "
-      "volume or mass.")
-      .def(py::init(&bodyOf), py::arg("mesh"), py::arg("material"), py::kw_only(), py::arg("lumping") = "row-sum",
-           py::arg("rules") = std::map<std::string, std::string>(), py::arg("threads") = 0)
+  auto body = bindClass<py::class_<HeldBody, std::shared_ptr<HeldBody>>>(
+      module, "Body", py::init(&bodyOf),
+      "A mesh made computable by a material: masses, forces, energies, tangents, supports.\n\n"
+      "material: one, or a list of one for each block. lumping: row-sum, equal or diagonal-scaling. rules: quadrature\n"
+      "rule by element name. threads: 0 for all; results do not depend on it. Several threads of Python may use a "
+      "body\n"
+      "at once. Raises InputError; NumericalError for an element without volume or mass.",
+      "", py::arg("mesh"), py::arg("material"), py::kw_only(), py::arg("lumping") = "row-sum",
+      py::arg("rules") = std::map<std::string, std::string>(), py::arg("threads") = 0);
+  body.def("__repr__",
+           [](const HeldBody& self) {
+             return joinText("<Body: ", meshText(self.body.mesh()), ", ", self.body.totalMass(), " kg>");
+           })
       .def_property_readonly("node_count", [](const HeldBody& self) { return self.body.nodeCount(); })
       .def_property_readonly("element_count", [](const HeldBody& self) { return self.body.mesh().elementCount(); })
       .def_property_readonly(
@@ -197,21 +219,25 @@ void bindBody(py::module_& module) {
           "volume", [](const HeldBody& self) { return self.body.volume(); }, "At rest, m3.")
       .def_property_readonly(
           "external_force", [](HeldBody& self) { return ownedArray(NodeVectors(self.body.externalForce())); },
-          "Dead nodal forces, (N, 3), N: a copy.")
-      .def("add_body_force", &addBodyForce, py::arg("acceleration"),
-           "Adds mass times acceleration (three numbers, m/s2) to the external forces.")
-      .def(
-          "fix", &fix, py::arg("nodes"), py::arg("components") = "xyz", py::kw_only(),
-          py::arg("velocity") = Vector{0, 0, 0},
-          "Takes components of nodes out of the stability problem: held, or moved at a velocity (m/s).\n\nnodes: their "
-          "numbers, or a flag for each node, such as points[:, 0] < 1e-6. components: some of x, y, z.")
-      .def("internal_force", &force, py::arg("x"),
-           "The derivative of the strain energy by the positions x, (N, 3), N. x: (N, 3), m, read where it lies.")
-      .def("tangent_product", &tangentProduct, py::arg("x"), py::arg("v"),
-           "K(x) v with the exact tangent K, (N, 3), N. x, v: (N, 3), m, read where they lie.")
-      .def("energy", &energy, py::arg("x"), "The strain energy at positions x, J. x: (N, 3), m, read where it lies.")
-      .def("element_tangents", &elementTangents, py::arg("x"), py::arg("block") = 0,
-           "The exact tangents of all elements of a block, (elements, 3 n, 3 n), N/m, as TangentBracket takes them.");
+          "Dead nodal forces, (N, 3), N: a copy.");
+  bindMethod(body, "add_body_force", &addBodyForce,
+             "Adds mass times acceleration (three numbers, m/s2) to the external forces.", py::arg("acceleration"));
+  bindMethod(body, "fix", &fix,
+             "Takes components of nodes out of the stability problem: held, or moved at a velocity (m/s).\n\n"
+             "nodes: the name of a node set of the mesh, their numbers, or a flag for each node, such as\n"
+             "points[:, 0] < 1e-6. components: some of x, y, z. Raises InputError.",
+             py::arg("nodes"), py::arg("components") = "xyz", py::kw_only(), py::arg("velocity") = Vector{0, 0, 0});
+  bindMethod(body, "internal_force", &force,
+             "The derivative of the strain energy by the positions x, (N, 3), N. x: (N, 3), m, read where it lies.",
+             py::arg("x"));
+  bindMethod(body, "tangent_product", &tangentProduct,
+             "K(x) v with the exact tangent K, (N, 3), N. x, v: (N, 3), m, read where they lie.", py::arg("x"),
+             py::arg("v"));
+  bindMethod(body, "energy", &energy, "The strain energy at positions x, J. x: (N, 3), m, read where it lies.",
+             py::arg("x"));
+  bindMethod(body, "element_tangents", &elementTangents,
+             "The exact tangents of all elements of a block, (elements, 3 n, 3 n), N/m, as TangentBracket takes them.",
+             py::arg("x"), py::arg("block") = 0);
 }
 
 }  // namespace ringwatch::python

@@ -10,6 +10,7 @@
 #include <ringwatch/python/arrays.h>
 #include <ringwatch/python/held.h>
 #include <ringwatch/python/results.h>
+#include <ringwatch/python/signatures.h>
 
 namespace ringwatch::python {
 namespace {
@@ -59,27 +60,27 @@ py::object inspect(HeldBody& held, const py::object& positions, double limit, co
   for (const MetricResult& metric : metrics) named[text(metric.info->name)] = metricResult(metric, rule);
   return type(real(step.safe), real(step.optimistic), exact ? real(rule(global.lambda)) : py::object(py::none()),
               elementResult(body.mesh(), step.controlling), causeResult(cause), text(step.safeBy),
-              text(step.optimisticBy), real(step.lowestRing), real(limit), std::move(named));
+              text(step.optimisticBy), negativeOrNone(step), real(limit), std::move(named));
 }
 
 }  // namespace
 
 void bindInspect(py::module_& module) {
-  module.def(
-      "inspect", &inspect, py::arg("body"), py::arg("x") = py::none(), py::kw_only(), py::arg("limit") = 2.0,
-      py::arg("metrics") = std::vector<std::string>{"reduced-1-ring"}, py::arg("exact") = false,
-      "The critical step of a body at positions x ((N, 3), m; at rest without them), as `ringwatch inspect` gives "
-      "it.\n\nlimit: the integrator's largest stable h omega. metrics: names, for the steps of all elements. "
-      "exact: also the critical\nstep itself, by a global eigenvalue. Raises InputError; NumericalError where the "
-      "tangent is not finite.");
-  module.def(
-      "metric_names",
+  bindFunction(module, "inspect", &inspect,
+               "The critical step of a body at positions x ((N, 3), m; at rest without them), as `ringwatch inspect` "
+               "gives it.\n\nlimit: the integrator's largest stable h omega. metrics: names, for the steps of all "
+               "elements. exact: also the\ncritical step itself, by a global eigenvalue. Raises InputError; "
+               "NumericalError where the tangent is not finite.",
+               "", py::arg("body"), py::arg("x") = py::none(), py::kw_only(), py::arg("limit") = 2.0,
+               py::arg("metrics") = std::vector<std::string>{"reduced-1-ring"}, py::arg("exact") = false);
+  bindFunction(
+      module, "metric_names",
       [] {
         py::list names;
         for (const MetricInfo& info : allMetrics()) names.append(text(info.name));
         return py::tuple(names);
       },
-      "The metrics, as `ringwatch help metrics` lists them.");
+      "The metrics, as `ringwatch help metrics` lists them.", "");
 }
 
 }  // namespace ringwatch::python

@@ -10,11 +10,15 @@
 #include <ringwatch/meshes/mesh_io.h>
 #include <ringwatch/python/arrays.h>
 #include <ringwatch/python/held.h>
+#include <ringwatch/python/signatures.h>
 
 namespace ringwatch::python {
 namespace {
 
-ElementType elementNamed(const std::string& name) {
+/// An element by its name, here or in meshio.
+ElementType elementNamed(const std::string& given) {
+  const py::dict ofMeshio = py::module_::import("ringwatch._convert").attr("_ELEMENT_OF_MESHIO");
+  const std::string name = ofMeshio.contains(given) ? ofMeshio[given.c_str()].cast<std::string>() : given;
   std::vector<std::string_view> known;
   for (const ElementInfo& info : allElements()) {
     if (info.name == name) return info.type;
@@ -50,10 +54,11 @@ HeldMesh meshOf(py::handle points, const py::object& cells, const py::dict& node
   const std::span<const double> numbers = realsOf("points", points, {-1, 3});
   const Eigen::Index nodes = numbers.size() / 3;
   mesh.X = NodeVectorsView(numbers.data(), nodes);
-  const auto addBlock = [&](const std::string& name, py::handle connectivity) {
+  const auto addBlock = [&](const std::string& name, py::handle listed) {
     const ElementType type = elementNamed(name);
     const int perElement = elementInfo(type).nodes;
     const std::string argument = joinText("cells[", inQuotes(name), "]");
+    const py::object connectivity = listAsArray(listed);
     std::vector<std::int32_t> indices = indicesOf(argument.c_str(), connectivity, 2, nodes);
     const auto given = py::reinterpret_borrow<py::array>(connectivity);
     if (given.shape(1) != perElement)
@@ -138,23 +143,34 @@ py::tuple elements() {
 
 }  // namespace
 
+std::string meshText(const Mesh& mesh) {
+  std::string text = joinText(mesh.nodeCount(), " nodes");
+  for (const MeshBlock& block : mesh.blocks)
+    text += joinText(", ", block.elementCount(), " ", elementInfo(block.type).name);
+  return text;
+}
+
 void bindMesh(py::module_& module) {
-  py::class_<HeldMesh>(module, "Mesh",
-                       "Points and elements: Mesh(points, {\"tet4\": cells}, *, node_sets={}). It never "
-                       "changes.\n\npoints: (N, 3) float64 in "
-                       "C order, m. cells: by element name, (n, nodes of the element) of whole numbers in VTK's "
-                       "node\norder; or a list of "
-                       "(name, cells). node_sets: node numbers by name. node_ids, cell_ids: the numbers of another "
-                       "program, for messages:\n(N,), and a list of an array for each block. All of them are copied. "
-                       "Raises InputError for "
-                       "arrays\nof another "
-                       "shape or type, and for a mesh that is not sound: inverted or degenerate elements, nodes that "
-                       "do not exist.\nA mesh "
-                       "whose elements are all of the other handedness is turned round, and nodes that no element uses "
-                       "are dropped:\n`notes` "
-                       "says so.")
-      .def(py::init(&meshOf), py::arg("points"), py::arg("cells"), py::kw_only(), py::arg("node_sets") = py::dict(),
-           py::arg("node_ids") = py::none(), py::arg("cell_ids") = py::none())
+  auto mesh = bindClass<py::class_<HeldMesh>>(
+      module, "Mesh", py::init(&meshOf),
+      "Points and elements, which never change: Mesh(points, {\"tet4\": cells}).\n\n"
+      "points: (N, 3) float64 in C order, m. cells: by element name, ringwatch's or meshio's, (n, nodes of the "
+      "element)\n"
+      "of whole numbers in VTK's node order; or a list of (name, cells). node_sets: node numbers by name. node_ids,\n"
+      "cell_ids: the numbers of another program, for messages: (N,), and a list of an array for each block. All of "
+      "them\n"
+      "are copied. Raises InputError for arrays of another shape or type, and for a mesh that is not sound: inverted "
+      "or\n"
+      "degenerate elements, nodes that do not exist. A mesh whose elements are all of the other handedness is turned\n"
+      "round, and nodes that no element uses are dropped: `notes` says so.",
+      "", py::arg("points"), py::arg("cells"), py::kw_only(), py::arg("node_sets") = py::dict(),
+      py::arg("node_ids") = py::none(), py::arg("cell_ids") = py::none());
+  mesh.def("__repr__",
+           [](const HeldMesh& self) {
+             std::string text = joinText("<Mesh: ", meshText(*self.mesh));
+             for (const auto& [name, set] : self.mesh->nodeSets) text += joinText(", set ", inQuotes(name));
+             return text + ">";
+           })
       .def_property_readonly(
           "points",
           [](const py::object& self) {
@@ -191,23 +207,23 @@ void bindMesh(py::module_& module) {
       .def_property_readonly(
           "notes", [](const HeldMesh& self) { return py::tuple(py::cast(self.notes)); },
           "What the reader wants to be known, one line each.")
-      .def_property_readonly("element_count", [](const HeldMesh& self) { return self.mesh->elementCount(); })
-      .def(
-          "save",
-          [](const HeldMesh& self, const std::filesystem::path& path) {
-            const py::gil_scoped_release release;
-            writeMesh(*self.mesh, path);
-          },
-          py::arg("path"), "Writes the mesh, as .msh or .vtu.");
+      .def_property_readonly("element_count", [](const HeldMesh& self) { return self.mesh->elementCount(); });
+  bindMethod(
+      mesh, "save",
+      [](const HeldMesh& self, const std::filesystem::path& path) {
+        const py::gil_scoped_release release;
+        writeMesh(*self.mesh, path);
+      },
+      "Writes the mesh, as .msh or .vtu.", py::arg("path"));
   module.def("_elements", &elements);
-  module.def(
-      "load_mesh", &load, py::arg("path"),
-      "Reads a mesh to compute with, in the formats of `ringwatch help formats`. Coordinates are taken as m. Raises "
-      "InputError\nwith the line that the command line prints.");
-  module.def(
-      "generate_mesh", &generate, py::arg("kind"), py::pos_only(),
-      "A mesh made from parameters, as `ringwatch help generators` lists them: generate_mesh(\"bar\", cells=[8, 2, "
-      "2]).");
+  bindFunction(module, "load_mesh", &load,
+               "Reads a mesh to compute with, in the formats of `ringwatch help formats`. Coordinates are taken as m. "
+               "Raises\nInputError with the line that the command line prints.",
+               "", py::arg("path"));
+  bindFunction(module, "generate_mesh", &generate,
+               "Makes a mesh from parameters, as `ringwatch help generators` lists them: generate_mesh(\"bar\", "
+               "cells=[8, 2, 2]).",
+               "**parameters", py::arg("kind"), py::pos_only());
 }
 
 }  // namespace ringwatch::python

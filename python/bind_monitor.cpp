@@ -8,6 +8,7 @@
 #include <ringwatch/python/arrays.h>
 #include <ringwatch/python/held.h>
 #include <ringwatch/python/results.h>
+#include <ringwatch/python/signatures.h>
 
 namespace ringwatch::python {
 namespace {
@@ -102,34 +103,39 @@ py::tuple eventsOf(HeldMonitor& self) {
 
 void bindMonitor(py::module_& module) {
   const MonitorOptions usual;
-  py::class_<HeldMonitor>(
-      module, "Monitor",
-      "Keeps the bracket of the critical step current along a run: Monitor(body, limit=2.0).\n\nlimit: the "
-      "integrator's "
-      "largest stable h omega. mode: \"bracket\", \"threshold\" (only whether the step is certified,\ncheapest) or "
-      "\"metric\". metric: one to evaluate too, or \"\". margin: of its step. every: steps between "
-      "evaluations.\nwidth: "
-      "of the bracket, relative, that is aimed at. budget: what the bracket may take after the first observation, as a "
-      "share of a "
-      "step's own\nwork, counted; when it is used up the proof stays and the bracket becomes wider; from 100 on there "
-      "is no limit;\nNone: 0.1, and in small bodies no limit before it has taken some 0.2 s in all. steps: of the "
-      "run,\nas far as known: the first observation goes beyond the proof of h where all of it takes no more than "
-      "three "
-      "tenths of the budget of so many. "
-      "first_observation_elements: bodies of up to this many elements\nget "
-      "the "
-      "best proof there is at the first observation, where h is None or not certified without it. Raises InputError.")
-      .def(py::init(&monitorOf), py::arg("body"), py::arg("limit") = 2.0, py::kw_only(), py::arg("mode") = "bracket",
-           py::arg("metric") = "", py::arg("margin") = usual.margin, py::arg("every") = usual.every,
-           py::arg("width") = usual.width, py::arg("budget") = py::none(), py::arg("steps") = usual.steps,
-           py::arg("first_observation_elements") = usual.firstObservationElements)
-      .def("observe", &observe, py::arg("step"), py::arg("time"), py::arg("x"), py::arg("v"), py::arg("h") = py::none(),
-           py::kw_only(), py::arg("force") = false, py::arg("energy") = false,
-           "Observes positions x and velocities v ((N, 3), m and m/s, read where they lie) before step number `step` "
-           "of size "
-           "h (s;\nNone while none is chosen). force, energy: also compute internal_force and strain_energy, in the "
-           "same "
-           "pass. Returns a\nMonitorReport. Raises InputError.")
+  auto monitor = bindClass<py::class_<HeldMonitor>>(
+      module, "Monitor", py::init(&monitorOf),
+      "Keeps the bracket of the critical step current along a run.\n\n"
+      "limit: the integrator's largest stable h omega. mode: \"bracket\", \"threshold\" (only whether the step is\n"
+      "certified, cheapest) or \"metric\". metric: one to evaluate too, or \"\". margin: of its step. every: steps\n"
+      "between evaluations. width: of the bracket, relative, that is aimed at. budget: what the bracket may take "
+      "after\n"
+      "the first observation, as a share of a step's own work, counted; when it is used up the proof stays and the\n"
+      "bracket becomes wider; from 100 on there is no limit; None: 0.1, and in small bodies no limit before it has "
+      "taken\n"
+      "0.2 to 0.5 s in all. steps: of the run, as far as known: the first observation goes beyond the proof of h where "
+      "all\n"
+      "of it takes no more than three tenths of the budget of so many. first_observation_elements: bodies of up to "
+      "this\n"
+      "many elements get the best proof there is at the first observation, where h is None or not certified without "
+      "it.\n"
+      "Raises InputError.",
+      "", py::arg("body"), py::arg("limit") = 2.0, py::kw_only(), py::arg("mode") = "bracket", py::arg("metric") = "",
+      py::arg("margin") = usual.margin, py::arg("every") = usual.every, py::arg("width") = usual.width,
+      py::arg("budget") = py::none(), py::arg("steps") = usual.steps,
+      py::arg("first_observation_elements") = usual.firstObservationElements);
+  bindMethod(monitor, "observe", &observe,
+             "Observes positions x and velocities v ((N, 3), m and m/s, read where they lie) before step number `step` "
+             "of\nsize h (s; None while none is chosen). force, energy: also compute internal_force and strain_energy, "
+             "in the same\npass. Returns a MonitorReport. Raises InputError.",
+             py::arg("step"), py::arg("time"), py::arg("x"), py::arg("v"), py::arg("h") = py::none(), py::kw_only(),
+             py::arg("force") = false, py::arg("energy") = false);
+  monitor
+      .def("__repr__",
+           [](const HeldMonitor& self) {
+             return joinText("<Monitor: mode ", monitorModeNames.nameOf(self.monitor.options().mode), ", ",
+                             meshText(self.held->body.mesh()), ">");
+           })
       .def_property_readonly("events", &eventsOf, "All events so far, in the order of their beginnings.");
 }
 

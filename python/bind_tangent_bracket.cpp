@@ -8,6 +8,7 @@
 #include <ringwatch/python/arrays.h>
 #include <ringwatch/python/held.h>
 #include <ringwatch/python/results.h>
+#include <ringwatch/python/signatures.h>
 
 namespace ringwatch::python {
 namespace {
@@ -115,24 +116,28 @@ py::object evaluate(HeldBracket& self, const py::object& tangents, double limit)
 }  // namespace
 
 void bindTangentBracket(py::module_& module) {
-  py::class_<HeldBracket>(
-      module, "TangentBracket",
+  auto bracket = bindClass<py::class_<HeldBracket>>(
+      module, "TangentBracket", py::init(&bracketOf),
       "The bracket for a code that hands over element tangents and lumped masses, of any physics whose tangents are\n"
-      "symmetric: TangentBracket(mass, elements, constrained=None).\n\nmass: float64 of shape (N,), (N, d) or (N, d, "
-      "d), "
-      "of nodes with d degrees of freedom. elements: the nodes of the elements,\n(n, k); or a list of such groups. "
-      "constrained: (N, d) bool, True where a degree of freedom does not move.\ndegrees_of_freedom: d, for masses of "
-      "shape "
-      "(N,). group_dofs: degrees of freedom that each group has at a node.\nRaises InputError.")
-      .def(py::init(&bracketOf), py::arg("mass"), py::arg("elements"), py::arg("constrained") = py::none(),
-           py::kw_only(), py::arg("degrees_of_freedom") = 3, py::arg("group_dofs") = std::vector<int>(),
-           py::arg("threads") = 0)
-      .def("evaluate", &evaluate, py::arg("tangents"), py::arg("limit") = 2.0,
-           "The CriticalStep of tangents (n, k d, k d), float64 in C order, read where they lie; or a list of one "
-           "array for "
-           "each group.\nlimit: the integrator's largest stable h omega. Raises InputError; NumericalError where "
-           "rounding "
-           "makes the sides cross.");
+      "symmetric.\n\n"
+      "mass: float64 of shape (N,), (N, d) or (N, d, d), of nodes with d degrees of freedom. elements: the nodes of "
+      "the\n"
+      "elements, (n, k); or a list of such groups. constrained: (N, d) bool, True where a degree of freedom does not\n"
+      "move. degrees_of_freedom: d, for masses of shape (N,). group_dofs: degrees of freedom that each group has at a\n"
+      "node. Raises InputError.",
+      "", py::arg("mass"), py::arg("elements"), py::arg("constrained") = py::none(), py::kw_only(),
+      py::arg("degrees_of_freedom") = 3, py::arg("group_dofs") = std::vector<int>(), py::arg("threads") = 0);
+  bindMethod(bracket, "evaluate", &evaluate,
+             "The CriticalStep of tangents (n, k d, k d), float64 in C order, read where they lie; or a list of one "
+             "array for\neach group. limit: the integrator's largest stable h omega. Raises InputError; NumericalError "
+             "where rounding\nmakes the sides cross.",
+             py::arg("tangents"), py::arg("limit") = 2.0);
+  bracket.def("__repr__", [](const HeldBracket& self) {
+    py::ssize_t elements = 0;
+    for (const HeldBracket::Group& group : self.groups) elements += group.elements;
+    return joinText("<TangentBracket: ", elements, " elements in ", self.groups.size(),
+                    self.groups.size() == 1 ? " group>" : " groups>");
+  });
 }
 
 }  // namespace ringwatch::python

@@ -77,6 +77,9 @@ auto changing(HeldBody& held, const Work& work) {
   return unlocked<std::unique_lock<std::shared_mutex>>(held.changes, work);
 }
 
+/// "81 nodes, 160 tet4".
+std::string meshText(const Mesh& mesh);
+
 void bindMesh(py::module_& module);
 void bindBody(py::module_& module);
 void bindInspect(py::module_& module);

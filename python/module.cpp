@@ -4,7 +4,7 @@
 
 PYBIND11_MODULE(_ringwatch, module) {
   pybind11::options options;
-  options.disable_function_signatures();  // they stand in _ringwatch.pyi
+  options.disable_function_signatures();  // docstrings begin with those that Python reads, see signatures.h
   ringwatch::python::translateErrors();
   module.attr("__version__") = RINGWATCH_VERSION;
   ringwatch::python::bindMesh(module);

@@ -57,10 +57,14 @@ py::object causeResult(const ElementCause& cause) {
               real(cause.shape.maxDihedral), real(cause.shape.aspect), flag(cause.badlyShaped()));
 }
 
+py::object negativeOrNone(const CriticalStep& step) {
+  return step.lowestRing < 0 ? real(step.lowestRing) : py::object(py::none());
+}
+
 py::object criticalStepResult(const CriticalStep& step) {
   static const ResultType& type = *new ResultType("CriticalStep", 6);
   return type(real(step.safe), real(step.optimistic), pairOf(step.controlling), text(step.safeBy),
-              text(step.optimisticBy), real(step.lowestRing));
+              text(step.optimisticBy), negativeOrNone(step));
 }
 
 py::object eventResult(const MonitorEvent& event, const Mesh& mesh) {

@@ -46,6 +46,8 @@ py::object orNone(const std::optional<T>& value, const Make& make) {
 
 py::object elementResult(const Mesh& mesh, ElementRef element);
 py::object causeResult(const ElementCause& cause);
+/// The eigenvalue that proves the tangent indefinite; None where none was found.
+py::object negativeOrNone(const CriticalStep& step);
 py::object criticalStepResult(const CriticalStep& step);
 py::object eventResult(const MonitorEvent& event, const Mesh& mesh);
 

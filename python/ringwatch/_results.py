@@ -1,7 +1,7 @@
 """What the functions return. The extension fills the fields by their order here."""
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import Any
 
 import numpy as np
@@ -11,8 +11,28 @@ from . import _plot
 from ._errors import InputError
 
 
-@dataclass(frozen=True, slots=True)
-class Element:
+_LONGEST = 80  # characters of a field; what is longer is told by its type and size
+
+
+def _brief(value: Any) -> str:
+    if isinstance(value, np.ndarray):
+        return f"array of shape {value.shape}"
+    text = repr(value)
+    return text if len(text) <= _LONGEST or not hasattr(value, "__len__") or isinstance(value, str) else f"{type(value).__name__} of {len(value)}"
+
+
+class Result:
+    """Shows itself in a line, however much it holds."""
+
+    __slots__ = ()
+
+    def __repr__(self) -> str:
+        shown = (f"{field.name}={_brief(getattr(self, field.name))}" for field in fields(self))  # type: ignore[arg-type]
+        return f"{type(self).__name__}({', '.join(shown)})"
+
+
+@dataclass(frozen=True, slots=True, repr=False)
+class Element(Result):
     """An element of a mesh."""
 
     block: int
@@ -33,8 +53,8 @@ class Element:
         return self.text
 
 
-@dataclass(frozen=True, slots=True)
-class ElementCause:
+@dataclass(frozen=True, slots=True, repr=False)
+class ElementCause(Result):
     """Why an element allows only a small step: its departure from rest, and its shape at rest."""
 
     text: str
@@ -59,8 +79,8 @@ class ElementCause:
         return self.text
 
 
-@dataclass(frozen=True, slots=True)
-class CriticalStep:
+@dataclass(frozen=True, slots=True, repr=False)
+class CriticalStep(Result):
     """The bracket safe <= critical step <= optimistic, s, proven for the tangent at one state."""
 
     safe: float
@@ -70,12 +90,15 @@ class CriticalStep:
     safe_by: str
     """How the side was obtained."""
     optimistic_by: str
-    lowest_eigenvalue: float
-    """Least eigenvalue seen, rad²/s²; below 0 it proves the tangent indefinite, which no step cures."""
+    lowest_eigenvalue: float | None
+    """rad²/s², negative: it proves the tangent indefinite, which no step cures. None where none was found."""
+
+    def __str__(self) -> str:
+        return f"{self.safe:.6g} s <= critical step <= {self.optimistic:.6g} s"
 
 
-@dataclass(frozen=True, slots=True)
-class Metric:
+@dataclass(frozen=True, slots=True, repr=False)
+class Metric(Result):
     """The steps of all elements by a metric."""
 
     name: str
@@ -89,8 +112,8 @@ class Metric:
     """s, an array for each block of the mesh with a number for each element."""
 
 
-@dataclass(frozen=True, slots=True)
-class Inspection:
+@dataclass(frozen=True, slots=True, repr=False)
+class Inspection(Result):
     """What a body can take at one state: see `inspect`."""
 
     safe: float
@@ -106,12 +129,17 @@ class Inspection:
     safe_by: str
     """How the side was obtained."""
     optimistic_by: str
-    lowest_eigenvalue: float
-    """Least eigenvalue seen, rad²/s²; below 0 it proves the tangent indefinite, which no step cures."""
+    lowest_eigenvalue: float | None
+    """rad²/s², negative: it proves the tangent indefinite, which no step cures. None where none was found."""
     limit: float
     """The largest stable h·omega that the steps are for."""
     metrics: dict[str, Metric]
     """Those that were asked for, in that order."""
+
+    def __str__(self) -> str:
+        between = f"critical step = {self.exact:.6g} s" if self.exact is not None else "critical step"
+        return (f"{self.safe:.6g} s <= {between} <= {self.optimistic:.6g} s, for h omega <= {self.limit:g}\n"
+                f"in the way: {self.controlling}: {self.cause}")
 
     @property
     def element_steps(self) -> tuple[NDArray[np.float64], ...]:
@@ -133,8 +161,8 @@ class Inspection:
         return _plot.inspection(steps, self.safe, self.optimistic, metric or next(iter(self.metrics)), ax)
 
 
-@dataclass(frozen=True, slots=True)
-class MonitorEvent:
+@dataclass(frozen=True, slots=True, repr=False)
+class MonitorEvent(Result):
     """Something that happened in a run."""
 
     kind: str
@@ -157,8 +185,8 @@ class MonitorEvent:
         return self.text
 
 
-@dataclass(frozen=True, slots=True)
-class MonitorReport:
+@dataclass(frozen=True, slots=True, repr=False)
+class MonitorReport(Result):
     """What a monitor knows of a state."""
 
     step: int
@@ -191,6 +219,11 @@ class MonitorReport:
     strain_energy: float | None
     """J, when asked for."""
 
+    def __str__(self) -> str:
+        asked = "" if self.h is None else f", h = {self.h:.6g} s"
+        known = f"{self.bracket}" if self.bracket else f"{self.certified:.6g} s is proven"
+        return f"step {self.step}, t = {self.time:.6g} s{asked}: {self.verdict}; {known}"
+
     @property
     def safe(self) -> float:
         """s, of the bracket; the certified step where there is none."""
@@ -202,8 +235,8 @@ class MonitorReport:
         return self.bracket.optimistic if self.bracket else None
 
 
-@dataclass(frozen=True, slots=True)
-class DeviceReport:
+@dataclass(frozen=True, slots=True, repr=False)
+class DeviceReport(Result):
     """What a DeviceMonitor knows of a state."""
 
     h: float | None
@@ -218,8 +251,8 @@ class DeviceReport:
     """Elements that had left their validity balls and were evaluated one by one."""
 
 
-@dataclass(frozen=True, slots=True)
-class Check:
+@dataclass(frozen=True, slots=True, repr=False)
+class Check(Result):
     """A measured number and the limit that it is held to."""
 
     name: str
@@ -237,8 +270,8 @@ class Check:
                 f"expected {self.expected:.9g}, tolerance {self.tolerance:.3g}")
 
 
-@dataclass(frozen=True, slots=True)
-class Verification:
+@dataclass(frozen=True, slots=True, repr=False)
+class Verification(Result):
     """What a study of an integrator found: see `verify`."""
 
     name: str

@@ -11,16 +11,18 @@ __version__: str
 
 Reals = NDArray[np.float64]
 Integers = NDArray[np.integer[Any]]
+Indices = Integers | Sequence[int]
+Connectivity = Integers | Sequence[Sequence[int]]
 
 class Mesh:
     def __init__(
         self,
         points: Reals,
-        cells: Mapping[str, Integers] | Sequence[tuple[str, Integers]],
+        cells: Mapping[str, Connectivity] | Sequence[tuple[str, Connectivity]],
         *,
-        node_sets: Mapping[str, Integers] = ...,
-        node_ids: Integers | None = None,
-        cell_ids: Sequence[Integers] | None = None,
+        node_sets: Mapping[str, Indices] = {},
+        node_ids: Indices | None = None,
+        cell_ids: Sequence[Indices] | None = None,
     ) -> None: ...
     @property
     def points(self) -> Reals: ...
@@ -52,7 +54,7 @@ class Body:
         material: Material | Sequence[Material],
         *,
         lumping: str = "row-sum",
-        rules: Mapping[str, str] = ...,
+        rules: Mapping[str, str] = {},
         threads: int = 0,
     ) -> None: ...
     @property
@@ -72,10 +74,10 @@ class Body:
     def add_body_force(self, acceleration: Sequence[float] | Reals) -> None: ...
     def fix(
         self,
-        nodes: Integers | NDArray[np.bool_],
+        nodes: str | Indices | NDArray[np.bool_] | Sequence[bool],
         components: str = "xyz",
         *,
-        velocity: Sequence[float] | Reals = ...,
+        velocity: Sequence[float] | Reals = [0.0, 0.0, 0.0],
     ) -> None: ...
     def internal_force(self, x: Reals) -> Reals: ...
     def tangent_product(self, x: Reals, v: Reals) -> Reals: ...
@@ -119,7 +121,7 @@ class TangentBracket:
         constrained: NDArray[np.bool_] | None = None,
         *,
         degrees_of_freedom: int = 3,
-        group_dofs: Sequence[int] = ...,
+        group_dofs: Sequence[int] = [],
         threads: int = 0,
     ) -> None: ...
     def evaluate(self, tangents: Reals | Sequence[Reals], limit: float = 2.0) -> CriticalStep: ...
@@ -132,7 +134,7 @@ def inspect(
     x: Reals | None = None,
     *,
     limit: float = 2.0,
-    metrics: Sequence[str] = ...,
+    metrics: Sequence[str] = ["reduced-1-ring"],
     exact: bool = False,
 ) -> Inspection: ...
 def metric_names() -> tuple[str, ...]: ...

@@ -19,13 +19,14 @@ from numpy.typing import NDArray
 from . import _plot
 from ._errors import InputError, NumericalError
 from ._locations import PROGRAM
+from ._results import Result
 
 _FAILED, _BAD_INPUT = 1, 2  # exit statuses, docs/reference/exit_status.md
 _TEXTS = ("controlling_element", "verdict")  # columns of history.csv that are no numbers
 
 
-@dataclass(frozen=True, slots=True)
-class RunResult:
+@dataclass(frozen=True, slots=True, repr=False)
+class RunResult(Result):
     """What came of a run."""
 
     exit_status: int
@@ -51,8 +52,8 @@ class RunResult:
         return _plot.run(self.history, self.summary.get("events", []), self.verdict, ax)
 
 
-@dataclass(frozen=True, slots=True)
-class Comparison:
+@dataclass(frozen=True, slots=True, repr=False)
+class Comparison(Result):
     """Error against cost of integrators on the motion of a scene: see `compare`."""
 
     title: str

@@ -198,6 +198,24 @@ def test_events_say_which_element_and_why() -> None:
     assert [e.kind for e in report.new_events] == ["non-finite"]
 
 
+def test_a_negative_eigenvalue_is_told_or_none_is() -> None:
+    """A compressed bar against numpy's eigenvalues of the whole tangent."""
+    body = body_of(bar())
+    inverse = np.repeat(1 / np.sqrt(body.lumped_mass), 3)
+    identity = np.eye(body.points.size).reshape(-1, *body.points.shape)
+    for factor in (1.0, 0.4):
+        x = body.points * np.array([factor, 1, 1])
+        K = np.array([body.tangent_product(x, v).ravel() for v in identity])
+        least = np.linalg.eigvalsh(inverse[:, None] * K * inverse).min()
+        found = [rw.inspect(body, x).lowest_eigenvalue]
+        report = rw.Monitor(body).observe(0, 0.0, x, np.zeros_like(x))
+        if report.bracket is not None:
+            found.append(report.bracket.lowest_eigenvalue)
+        for value in found:
+            assert value is None if factor == 1 else value is None or least * (1 + 1e-9) <= value < 0
+        assert factor == 1 or found[0] is not None and least < 0
+
+
 def test_threshold_mode_certifies_a_step() -> None:
     body = body_of(bar())
     monitor = rw.Monitor(body, limit=2.0, mode="threshold")

@@ -1,12 +1,16 @@
 """Type hints: mypy --strict finds nothing in the package and in a program that uses all of it, and finds a seeded fault;
 the hints of the extension are those of the extension itself."""
+import ast
 import importlib
+import inspect
 import os
 import pathlib
+import pydoc
 import subprocess
 import sys
 from typing import Any
 
+import numpy as np
 import pytest
 
 import ringwatch as rw
@@ -87,9 +91,7 @@ def test_the_program_runs(tmp_path: pathlib.Path) -> None:
 
 @pytest.mark.parametrize("name", ["_ringwatch", "_verify"])
 def test_hints_are_those_of_the_extensions(name: str) -> None:
-    """Names of an extension against its hints, and the other way round; its signatures cannot be asked."""
-    import ast
-
+    """Names of an extension against its hints, and the other way round."""
     hints = {}
     for node in ast.parse((PACKAGE / f"{name}.pyi").read_text()).body:
         if isinstance(node, ast.ClassDef):
@@ -103,6 +105,53 @@ def test_hints_are_those_of_the_extensions(name: str) -> None:
         elif callable(value):
             there[name] = set()
     assert hints == there
+
+
+def signature_of_hint(function: ast.FunctionDef) -> inspect.Signature:
+    """Names, kinds and defaults of a function in the hints."""
+    made: dict[str, Any] = {}
+    bare = ast.parse(f"def made({ast.unparse(function.args)}): ...").body[0]
+    assert isinstance(bare, ast.FunctionDef)
+    for argument in [*bare.args.posonlyargs, *bare.args.args, *bare.args.kwonlyargs, bare.args.kwarg]:
+        if argument is not None:
+            argument.annotation = None
+    exec(ast.unparse(bare), made)
+    parameters = list(inspect.signature(made["made"]).parameters.values())
+    return inspect.Signature([p for p in parameters if p.name != "self"])
+
+
+def test_help_shows_the_signatures_of_the_hints() -> None:
+    """What `help`, `inspect` and editors read of functions, classes and methods against the hints, with every default."""
+    compared = 0
+    for node in ast.parse((PACKAGE / "_ringwatch.pyi").read_text()).body:
+        thing = getattr(rw, node.name, None) if isinstance(node, (ast.ClassDef, ast.FunctionDef)) else None
+        members = node.body if isinstance(node, ast.ClassDef) else [node]
+        for member in members:
+            if thing is None or not isinstance(member, ast.FunctionDef) or member.decorator_list:
+                continue
+            called = thing if member.name in ("__init__", thing.__name__) else getattr(thing, member.name)
+            shown = inspect.signature(called)
+            bound = [p for p in shown.parameters.values() if p.name != "self"]
+            assert inspect.Signature(bound) == signature_of_hint(member), member.name
+            assert str(shown) in pydoc.render_doc(thing, renderer=pydoc.plaintext)
+            compared += 1
+    assert compared >= 17
+
+
+def test_what_is_shown_is_a_few_words() -> None:
+    """Of everything that the module returns: no address, no long array, at most two lines."""
+    body = rw.Body(mesh := rw.generate_mesh("bar", cells=[4, 1, 1]), rw.Material("stvk", young=30e3, poisson=0.3, density=1000))
+    step = rw.inspect(body, metrics=list(rw.metric_names())[:3], exact=True)
+    monitor = rw.Monitor(body)
+    report = monitor.observe(0, 0.0, body.points * 1.5, np.zeros_like(body.points), step.safe, force=True)
+    tangents = rw.TangentBracket(body.lumped_mass, mesh.cells["tet4"])
+    things = [mesh, body, rw.Material("stvk", young=30e3, poisson=0.3, density=1000), step, step.controlling, step.cause, *step.metrics.values(),
+              monitor, report, report.bracket, *report.new_events, tangents, tangents.evaluate(body.element_tangents(body.points))]
+    for thing in things:
+        for text in (str(thing), repr(thing)):
+            assert text.count("\n") <= 1 and len(text) <= 800 and " at 0x" not in text and "array([" not in text, text
+    assert f"{step.safe:.6g}" in str(step) and str(step.controlling) in str(step)
+    assert f"{mesh.points.shape[0]} nodes" in repr(mesh) and "tet4" in repr(mesh)
 
 
 @pytest.mark.parametrize("name", rw.__all__)
