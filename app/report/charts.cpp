@@ -7,6 +7,7 @@
 #include <Eigen/Dense>
 
 #include <ringwatch/app/report/page_data.h>
+#include <ringwatch/app/report/verdict_text.h>
 #include <ringwatch/base/infinity.h>
 
 namespace ringwatch {
@@ -172,15 +173,16 @@ std::string distributionSvg(const std::vector<Distribution>& distributions, cons
     y += row;
   }
   double label = left;
-  for (const auto& [name, text, step] :
-       {std::tuple{"safe", "safe", marks.safe}, std::tuple{"optimistic", "optimistic", marks.optimistic},
-        std::tuple{"taken", "step taken", marks.step.value_or(0)}}) {
+  for (const auto& [name, text, step, shown] :
+       {std::tuple{"safe", "safe", marks.safe, stepRoundedDown(marks.safe)},
+        std::tuple{"optimistic", "optimistic", marks.optimistic, stepRoundedUp(marks.optimistic)},
+        std::tuple{"taken", "step taken", marks.step.value_or(0), fmt::format("{:.4g}", marks.step.value_or(0))}}) {
     if (!(step > 0) || !std::isfinite(step)) continue;
-    svg += fmt::format("<path class=\"curve {}\" d=\"M{:.1f} {}V{:.1f}\"><title>{} {:.4g} s</title></path>", name,
-                       x(step), top - 4, y - 6, text, step);
-    svg += fmt::format(
-        "<path class=\"curve {}\" d=\"M{} 12h22\"/><text class=\"tick\" x=\"{}\" y=\"16\">{} {:.4g} s</text>", name,
-        label, label + 28, text, step);
+    svg += fmt::format("<path class=\"curve {}\" d=\"M{:.1f} {}V{:.1f}\"><title>{} {} s</title></path>", name, x(step),
+                       top - 4, y - 6, text, shown);
+    svg +=
+        fmt::format("<path class=\"curve {}\" d=\"M{} 12h22\"/><text class=\"tick\" x=\"{}\" y=\"16\">{} {} s</text>",
+                    name, label, label + 28, text, shown);
     label += 200;
   }
   for (const double tick : x.ticks(6))

@@ -49,9 +49,9 @@ PageVerdict verdictOf(const Inspection& inspection, const std::optional<RunAnaly
   else if (!(step.safe > 0))
     verdict.title = "No step is proven", verdict.tone = Tone::unsure;
   verdict.sentence = fmt::format(
-      "The critical step of the mesh {} lies between {} s, up to which it is proven stable, and {:.4g} s, above which "
+      "The critical step of the mesh {} lies between {} s, up to which it is proven stable, and {} s, above which "
       "it is proven unstable. In the way is {}: {}.",
-      inspection.state, stepRoundedDown(step.safe), step.optimistic,
+      inspection.state, stepRoundedDown(step.safe), stepRoundedUp(step.optimistic),
       elementText(inspection.body.mesh(), step.controlling), causeText(cause));
   if (step.lowestRing < 0)
     verdict.sentence +=
@@ -91,7 +91,7 @@ ReportResult writeInspectionReport(const Inspection& inspection, const std::file
   page.where = inspection.state;
   MeshPack pack(page.data);
   const PageFrame shown{1, 0, frameOf(inspection)};
-  pack.add(shown, true);
+  pack.add(shown, true, {inspection.step.controlling});
   page.takeMesh(pack);
   page.frames = page.framesShown = 1;
   if (page.elements > analysedElements) {

@@ -105,7 +105,7 @@ struct MeshPack::Group {
   std::vector<KeptFrame> frames;
 };
 
-void MeshPack::add(const PageFrame& frame, bool keyFrame) {
+void MeshPack::add(const PageFrame& frame, bool keyFrame, const std::vector<ElementRef>& controlling) {
   const VtuFrame& state = frame.state;
   if (!group_ || !sameElements(group_->mesh, state.mesh)) {
     closeGroup();
@@ -147,10 +147,17 @@ void MeshPack::add(const PageFrame& frame, bool keyFrame) {
     sortUnique(solid);
   }
   group_->frames.push_back(std::move(kept));
-  if (keyFrame) makeKeyFrame(frame, steps);
+  if (keyFrame) makeKeyFrame(frame, steps, controlling);
 }
 
-void MeshPack::makeKeyFrame(const PageFrame& frame, const std::vector<double>* steps) {
+ColourRange ColourRange::about(double low, double high) {
+  if (!(low > 0) || high > least * low) return {low, high};
+  const double middle = std::sqrt(low * high), half = std::sqrt(least);
+  return {middle / half, middle * half};
+}
+
+void MeshPack::makeKeyFrame(const PageFrame& frame, const std::vector<double>* steps,
+                            const std::vector<ElementRef>& controlling) {
   const Mesh& mesh = frame.state.mesh;
   std::vector<double> share;
   if (steps) {
@@ -160,10 +167,11 @@ void MeshPack::makeKeyFrame(const PageFrame& frame, const std::vector<double>* s
         least = std::min(least, step);
         largest = std::max(largest, step);
       }
-    pictureScale_ = {least <= largest ? least : 0, largest};
+    pictureScale_ = ColourRange::about(least <= largest ? least : 0, largest);
+    const auto [low, high] = pictureScale_;
     for (const double step : *steps)
-      share.push_back(step > 0 && least < largest ? std::log(step / least) / std::log(largest / least)
-                                                  : std::numeric_limits<double>::quiet_NaN());
+      share.push_back(step > 0 && low < high ? std::log(step / low) / std::log(high / low)
+                                             : std::numeric_limits<double>::quiet_NaN());
   }
   std::vector<ColouredTriangle> triangles;
   for (const ElementFace& face : group_->surface) {
@@ -187,21 +195,19 @@ void MeshPack::makeKeyFrame(const PageFrame& frame, const std::vector<double>* s
   constexpr std::size_t meanUpTo = 200000;
   const double meanVolume =
       steps->size() <= meanUpTo ? std::abs(meshVolume(mesh)) / static_cast<double>(steps->size()) : 0;
-  worst_.clear();
-  for (auto it = order.begin(); it != end; ++it) {
+  const auto cardOf = [&](ElementRef ref) {
     WorstCard card;
-    card.element = *it;
-    const std::int32_t block =
-        std::upper_bound(group_->first.begin(), group_->first.end(), *it) - group_->first.begin() - 1;
-    card.ref = {block, static_cast<std::int32_t>(*it - static_cast<std::int64_t>(group_->first[block]))};
-    const MeshBlock& own = mesh.blocks[block];
+    card.element = static_cast<std::int64_t>(group_->first[ref.block]) + ref.element;
+    card.ref = ref;
+    const MeshBlock& own = mesh.blocks[ref.block];
+    card.ofFile = !own.ids.empty();
     const ElementInfo& info = elementInfo(own.type);
     const std::int32_t* nodes = own.element(card.ref.element);
     bool finite = true;
     for (int a = 0; a < info.nodes; ++a) finite = finite && mesh.X.col(nodes[a]).allFinite();
     card.id = own.id(card.ref.element);
     card.type = info.name;
-    card.step = (*steps)[*it];
+    card.step = (*steps)[card.element];
     if (finite) {
       const ElementQuality q = elementQuality(own, card.ref.element, mesh.X);
       card.shape = elementShape(own, card.ref.element, mesh.X, meanVolume).text();
@@ -217,8 +223,19 @@ void MeshPack::makeKeyFrame(const PageFrame& frame, const std::vector<double>* s
         if (face[3] < 0) card.faces.back().pop_back();
       }
     }
-    worst_.push_back(std::move(card));
+    return card;
+  };
+  worst_.clear();
+  controlling_.clear();
+  for (auto it = order.begin(); it != end; ++it) {
+    const std::int32_t block =
+        std::upper_bound(group_->first.begin(), group_->first.end(), *it) - group_->first.begin() - 1;
+    worst_.push_back(cardOf({block, static_cast<std::int32_t>(*it - static_cast<std::int64_t>(group_->first[block]))}));
   }
+  for (const ElementRef ref : controlling)
+    if (ref.block >= 0 && static_cast<std::size_t>(ref.block) < mesh.blocks.size() && ref.element >= 0 &&
+        static_cast<std::size_t>(ref.element) < mesh.blocks[ref.block].elementCount())
+      controlling_.push_back(cardOf(ref));
 }
 
 void MeshPack::closeGroup() {

@@ -20,9 +20,18 @@ struct PageFrame {
   VtuFrame state;
 };
 
-/// An element with one of the least steps of a frame, for a card.
+/// The range of the colours about a range of positive numbers: at least 5 %, so that what differs by less, as the steps
+/// of a regular mesh do by rounding, has nearly one colour.
+struct ColourRange {
+  static constexpr double least = 1.05;
+  double low = 0, high = 0;
+  static ColourRange about(double low, double high);
+};
+
+/// An element of a frame, for a card.
 struct WorstCard {
   ElementRef ref;
+  bool ofFile = false;       // id is the file's number
   std::int64_t element = 0;  // elements counted through, as the page counts them
   std::int64_t id = 0;
   std::string type, shape;                         // "tet4"; "sliver, 2.1° dihedral", at the frame's positions
@@ -43,34 +52,34 @@ class MeshPack {
   static constexpr std::size_t allElements = 30000, leastElements = 10000;
 
   explicit MeshPack(PageData& data) : data_(data) {}
-  /// keyFrame: of this one the picture and the cards are made.
-  void add(const PageFrame& frame, bool keyFrame);
+  /// keyFrame: of this one the picture and the cards are made. controlling: elements of it that have cards of their
+  /// own.
+  void add(const PageFrame& frame, bool keyFrame, const std::vector<ElementRef>& controlling = {});
   /// { scale: {field, min, max} or null, groups: [ … ] }
   nlohmann::ordered_json finish();
 
   const std::vector<WorstCard>& worst() const { return worst_; }
+  const std::vector<WorstCard>& controlling() const { return controlling_; }
   /// PNG of the key frame, "" for none.
   const std::string& picture() const { return picture_; }
   /// The field that is the step of elements: the first of the frames named "… step by … (s)"; "" for none.
   const std::string& stepField() const { return stepField_; }
-  std::size_t elementCount() const { return elementCount_; }  // of the last frame
-  struct Scale {
-    double least = 0, largest = 0;  // s
-  };
-  const Scale& pictureScale() const { return pictureScale_; }
+  std::size_t elementCount() const { return elementCount_; }         // of the last frame
+  const ColourRange& pictureScale() const { return pictureScale_; }  // s
 
  private:
   struct KeptFrame;
   struct Group;
   void closeGroup();
-  void makeKeyFrame(const PageFrame& frame, const std::vector<double>* steps);
+  void makeKeyFrame(const PageFrame& frame, const std::vector<double>* steps,
+                    const std::vector<ElementRef>& controlling);
 
   PageData& data_;
   std::shared_ptr<Group> group_;  // that is open
   nlohmann::ordered_json groups_ = nlohmann::ordered_json::array();
-  std::vector<WorstCard> worst_;
+  std::vector<WorstCard> worst_, controlling_;
   std::string picture_, stepField_;
-  Scale pictureScale_;
+  ColourRange pictureScale_;
   std::size_t elementCount_ = 0;
 };
 

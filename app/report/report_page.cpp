@@ -23,6 +23,12 @@ constexpr const char* policy =
     "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:";
 
 std::string seconds(const std::optional<double>& value) { return value ? fmt::format("{:.4g} s", *value) : "unknown"; }
+std::string safeSeconds(const std::optional<double>& value) {
+  return value ? stepRoundedDown(*value) + " s" : "unknown";
+}
+std::string optimisticSeconds(const std::optional<double>& value) {
+  return value ? stepRoundedUp(*value) + " s" : "unknown";
+}
 
 std::string counts(const Json& summary) {
   const auto mesh = summary.find("mesh");
@@ -98,12 +104,13 @@ std::string controllingTable(const RunHistory& history) {
   for (std::size_t i = 0; i < std::min(most, order.size()); ++i) {
     const auto& [element, share] = order[i];
     rows += fmt::format(
-        "<tr><th scope=\"row\">{}</th><td>{:.1f} %</td><td>{:.5g}</td><td>{:.5g}</td><td>{:.4g}</td></tr>\n",
-        htmlText(history.elements[element]), 100 * static_cast<double>(share.rows) / static_cast<double>(known),
-        share.first, share.last, share.least);
+        "<tr><th scope=\"row\">{}</th><td>{:.1f} %</td><td>{:.5g}</td><td>{:.5g}</td><td>{}</td></tr>\n",
+        htmlText(history.nameOf(element)), 100 * static_cast<double>(share.rows) / static_cast<double>(known),
+        share.first, share.last, stepRoundedDown(share.least));
   }
   std::string html =
-      tableHtml("Who controls the critical step (block:element, counted from 0)",
+      tableHtml(!history.numbers.empty() ? "Who controls the critical step (numbers of the mesh file)"
+                                         : "Who controls the critical step (block:element, counted from 0)",
                 {"Element", "Share of the rows", "First at t (s)", "Last at t (s)", "Least safe step then (s)"}, rows);
   if (order.size() > most) html += fmt::format("<p class=\"note\">and {} more elements</p>\n", order.size() - most);
   return html;
@@ -139,12 +146,16 @@ std::string historySection(const PageContent& page, std::size_t shown) {
   return html + controllingTable(*page.history) + "</section>\n";
 }
 
+/// An element by the file's number, or by its place where the file has none.
+std::string cardName(const WorstCard& card) {
+  return card.ofFile ? fmt::format("{}", card.id) : fmt::format("{}:{}", card.ref.block, card.ref.element);
+}
+
 std::string cardHtml(const PageContent& page, const WorstCard& card, std::size_t place) {
   std::string html = fmt::format(
-      "<li class=\"card\"><div class=\"head\"><h4>{}. Element {}:{}</h4>{}</div>\n<dl>\n<dt>number in the "
-      "mesh</dt><dd>{}</dd><dt>type</dt><dd>{}</dd>"
-      "<dt>step</dt><dd>{:.4g} s</dd>",
-      place, card.ref.block, card.ref.element, elementSvg(card), card.id, htmlText(card.type), card.step);
+      "<li class=\"card\"><div class=\"head\"><h4>{}. Element {}</h4>{}</div>\n<dl>\n<dt>block:place</dt><dd>{}:{}"
+      "</dd><dt>type</dt><dd>{}</dd><dt>step</dt><dd>{:.4g} s</dd>",
+      place, cardName(card), elementSvg(card), card.ref.block, card.ref.element, htmlText(card.type), card.step);
   if (page.keyStep && card.step > 0)
     html += fmt::format("<dt>{} over it</dt><dd>{:.3g}</dd>", page.ofRun ? "run's step" : "step asked about",
                         *page.keyStep / card.step);
@@ -155,8 +166,17 @@ std::string cardHtml(const PageContent& page, const WorstCard& card, std::size_t
         htmlText(card.shape), card.volume, card.minHeight, card.minEdge, card.maxEdge);
   return html + fmt::format(
                     "</dl>\n<button type=\"button\" class=\"show-me js\" data-element=\"{}\" data-frame=\"{}\" "
-                    "aria-label=\"Show element {}:{} in the mesh\">Show me</button></li>\n",
-                    card.element, page.keyFrame, card.ref.block, card.ref.element);
+                    "aria-label=\"Show element {} in the mesh\">Show me</button></li>\n",
+                    card.element, page.keyFrame, cardName(card));
+}
+
+std::string cardsHtml(const PageContent& page, const std::vector<WorstCard>& cards, const char* kind,
+                      const std::string& heading, const std::string& note) {
+  if (cards.empty()) return {};
+  std::string html = fmt::format("<h3>{}</h3>\n<p class=\"note\">{}</p>\n<ol class=\"cards {}\">\n", htmlText(heading),
+                                 htmlText(note), kind);
+  for (std::size_t i = 0; i < cards.size(); ++i) html += cardHtml(page, cards[i], i + 1);
+  return html + "</ol>\n";
 }
 
 std::string meshSection(const PageContent& page) {
@@ -179,23 +199,27 @@ std::string meshSection(const PageContent& page) {
         htmlText(page.where),
         page.stepField.empty() ? "nothing: the frames have no steps of elements" : htmlText(page.stepField),
         base64(page.picture));
-  if (!page.stepField.empty() && page.pictureScale.largest > 0)
+  if (!page.stepField.empty() && page.pictureScale.high > 0)
     html += fmt::format(
         "<p class=\"legend\"><span>{:.3g} s</span><span class=\"scale\" aria-hidden=\"true\"></span><span>{:.3g} "
         "s</span></p><p class=\"note\">{} {}; logarithmic, red is small.</p>",
-        page.pictureScale.least, page.pictureScale.largest, htmlText(page.stepField), htmlText(page.where));
+        page.pictureScale.low, page.pictureScale.high, htmlText(page.stepField), htmlText(page.where));
   html += "</div>\n<div id=\"mesh-live\" hidden></div>\n";
   if (page.stepField.empty())
     return html +
            "<p>The frames have no step of elements, so nothing tells which of them are in the way: "
            "output.fields = [\"critical_step\"] in the scene adds it.</p>\n</section>\n";
-  if (page.worst.empty()) return html + "</section>\n";
-  html += fmt::format(
-      "<h3>The {} elements with the smallest steps, {}</h3>\n<p class=\"note\">By the field {}; shapes as they are "
-      "there.</p>\n<ol class=\"cards\">\n",
-      page.worst.size(), htmlText(page.where), htmlText(page.stepField));
-  for (std::size_t i = 0; i < page.worst.size(); ++i) html += cardHtml(page, page.worst[i], i + 1);
-  return html + "</ol>\n</section>\n";
+  html +=
+      cardsHtml(page, page.controlling, "controlling", "In the way of the whole body",
+                page.ofRun ? "The elements that hold most of the fastest mode: that of the first violation, then those "
+                             "that did so longest. Their numbers are those " +
+                                 page.where + "."
+                           : "The element that holds most of the fastest mode.");
+  html +=
+      cardsHtml(page, page.worst, "smallest",
+                fmt::format("The {} elements with the smallest steps of their own, {}", page.worst.size(), page.where),
+                fmt::format("By the field {}; shapes as they are there.", page.stepField));
+  return html + "</section>\n";
 }
 
 /// What a rule's step means beside a bracket.
@@ -221,7 +245,7 @@ std::string distributionSection(const PageContent& page) {
   const RunAnalysis& a = *page.analysis;
   html += fmt::format(
       "<p>The whole body {}: safe {}, optimistic {}{}. A metric's step of the mesh is the least of its elements.</p>\n",
-      a.where, seconds(a.safe), seconds(a.optimistic),
+      a.where, safeSeconds(a.safe), optimisticSeconds(a.optimistic),
       page.ofRun || a.taken ? fmt::format(", {} {}", page.ofRun ? "step taken" : "step asked about", seconds(a.taken))
                             : "");
   if (!a.whyNoRules.empty()) return html + fmt::format("<p>{}</p>\n</section>\n", htmlText(a.whyNoRules));
@@ -381,13 +405,11 @@ Json historyJson(const RunHistory& history, std::size_t allRows, PageData& data)
     codes.push_back(static_cast<std::uint8_t>(std::min<std::ptrdiff_t>(found - names.begin(), 255)));
     if (found == names.end()) names.push_back(verdict);
   }
-  return Json{{"rows", history.rowCount()},
-              {"allRows", allRows},
-              {"columns", std::move(columns)},
-              {"elements", history.elements},
-              {"controlling", data.add(std::span<const std::int32_t>(history.controlling))},
-              {"verdictNames", names},
-              {"verdicts", data.add(std::span<const std::uint8_t>(codes))}};
+  return Json{
+      {"rows", history.rowCount()},    {"allRows", allRows},
+      {"columns", std::move(columns)}, {"elements", history.elements},
+      {"numbers", history.numbers},    {"controlling", data.add(std::span<const std::int32_t>(history.controlling))},
+      {"verdictNames", names},         {"verdicts", data.add(std::span<const std::uint8_t>(codes))}};
 }
 
 Json analysisJson(const RunAnalysis& a) {
@@ -420,6 +442,7 @@ Json analysisJson(const RunAnalysis& a) {
 void PageContent::takeMesh(MeshPack& pack) {
   mesh = pack.finish();
   worst = pack.worst();
+  controlling = pack.controlling();
   picture = pack.picture();
   pictureScale = pack.pictureScale();
   stepField = pack.stepField();
@@ -449,17 +472,21 @@ std::string reportPage(PageContent& page) {
     shown = kept.rowCount();
     history = historyJson(kept, page.history->rowCount(), page.data);
   }
-  Json marks = Json::array(), worst = Json::array();
+  Json marks = Json::array();
   for (const ChartMark& mark : page.marks) marks.push_back({{"time", mark.time}, {"label", mark.label}});
-  for (const WorstCard& card : page.worst)
-    worst.push_back({{"block", card.ref.block},
-                     {"index", card.ref.element},
-                     {"id", card.id},
-                     {"type", card.type},
-                     {"step", card.step},
-                     {"shape", card.shape},
-                     {"volume", card.volume},
-                     {"min_height", card.minHeight}});
+  const auto cardsJson = [](const std::vector<WorstCard>& cards) {
+    Json json = Json::array();
+    for (const WorstCard& card : cards)
+      json.push_back({{"block", card.ref.block},
+                      {"index", card.ref.element},
+                      {"id", card.id},
+                      {"type", card.type},
+                      {"step", card.step},
+                      {"shape", card.shape},
+                      {"volume", card.volume},
+                      {"min_height", card.minHeight}});
+    return json;
+  };
   Page whole;
   whole.title = fmt::format("{}: {}", page.name, page.verdict.title);
   whole.heading = page.name;
@@ -490,7 +517,8 @@ std::string reportPage(PageContent& page) {
       {"marks", std::move(marks)},
       {"mesh", std::move(page.mesh)},
       {"keyFrame", page.keyFrame},
-      {"worst", std::move(worst)},
+      {"worst", cardsJson(page.worst)},
+      {"controlling", cardsJson(page.controlling)},
       {"analysis", page.analysis ? analysisJson(*page.analysis) : Json(nullptr)}};
   whole.data = std::move(page.data);
   return pageHtml(whole);

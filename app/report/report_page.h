@@ -73,12 +73,12 @@ struct PageContent {
   std::optional<RunHistory> history;  // all rows
   PageVerdict verdict;
   std::vector<ChartMark> marks;
-  std::vector<std::string> notes;  // of the page: what could not be read
-  PageData data;                   // arrays of the mesh
-  nlohmann::ordered_json mesh;     // of MeshPack::finish; null without frames
-  std::vector<WorstCard> worst;
-  std::string picture;  // PNG
-  MeshPack::Scale pictureScale;
+  std::vector<std::string> notes;             // of the page: what could not be read
+  PageData data;                              // arrays of the mesh
+  nlohmann::ordered_json mesh;                // of MeshPack::finish; null without frames
+  std::vector<WorstCard> worst, controlling;  // with the least steps; in the way of the whole body
+  std::string picture;                        // PNG
+  ColourRange pictureScale;                   // s
   std::string stepField;
   std::int64_t keyFrame = 0;      // number of the frame of picture and cards
   std::string where;              // that state: "in frame 3, t = 0.1 s", "at rest"

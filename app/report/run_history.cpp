@@ -142,6 +142,7 @@ std::vector<std::size_t> rowsForPicture(const RunHistory& history, std::size_t m
 RunHistory selected(const RunHistory& history, const std::vector<std::size_t>& rows) {
   RunHistory result;
   result.elements = history.elements;
+  result.numbers = history.numbers;
   result.notes = history.notes;
   for (const RunHistory::Column& column : history.columns) {
     result.columns.push_back({column.name, {}});

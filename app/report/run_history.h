@@ -16,11 +16,16 @@ struct RunHistory {
   };
   std::vector<Column> columns;            // those of numbers
   std::vector<std::string> elements;      // "block:element", each once
+  std::vector<std::string> numbers;       // of them in the mesh file; empty where these are not known
   std::vector<std::int32_t> controlling;  // of each row: into `elements`, -1 for none
   std::vector<std::string> verdicts;      // of each row, "" for none
   std::vector<std::string> notes;         // what was wrong with the file, one line each
 
   std::size_t rowCount() const { return verdicts.size(); }
+  /// What a page calls one of `elements`.
+  const std::string& nameOf(std::int32_t element) const {
+    return numbers.empty() ? elements[element] : numbers[element];
+  }
   /// nullptr when the file has no such column.
   const std::vector<double>* column(std::string_view name) const;
 };

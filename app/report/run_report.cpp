@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <fstream>
@@ -72,14 +73,82 @@ std::vector<ChartMark> marksOf(const Json& summary) {
   return marks;
 }
 
+/// The time of the state with the largest strain energy of those whose safe step is the smallest one or hardly larger,
+/// s.
+std::optional<double> mostStrainedTime(const RunHistory& history, const SmallestSafe& least) {
+  constexpr double hardly = 1.05;  // by which a bracket moves without a cause
+  const std::vector<double>*time = history.column("time_s"), *safe = history.column("safe_s"),
+        *strain = history.column("strain_J");
+  if (!strain) return least.time;
+  double found = least.time, most = 0;
+  for (std::size_t i = 0; i < history.rowCount(); ++i)
+    if ((*safe)[i] <= hardly * least.safe && (*strain)[i] > most) most = (*strain)[i], found = (*time)[i];
+  return found;
+}
+
+/// An element by its "block:element"; empty for another text.
+std::optional<ElementRef> elementAt(std::string_view name) {
+  ElementRef ref;
+  const char* const end = name.data() + name.size();
+  const auto [colon, fault] = std::from_chars(name.data(), end, ref.block);
+  if (fault != std::errc() || colon == end || *colon != ':') return std::nullopt;
+  const auto [last, wrong] = std::from_chars(colon + 1, end, ref.element);
+  return wrong == std::errc() && last == end && ref.block >= 0 && ref.element >= 0 ? std::optional(ref) : std::nullopt;
+}
+
+/// Whether elements keep their places through a run.
+bool keepsItsElements(const Json& summary) {
+  if (!summary.is_object()) return false;
+  const auto cuts = summary.find("cuts"), erosion = summary.find("erosion");
+  return (cuts == summary.end() || cuts->empty()) && (erosion == summary.end() || erosion->is_null());
+}
+
+/// The elements that control the bracket: that of the first violation, then those that do so in most rows.
+std::vector<ElementRef> controllingOf(const Json& summary, const std::optional<RunHistory>& history) {
+  constexpr std::size_t most = 3;
+  std::vector<ElementRef> found;
+  const auto add = [&found](ElementRef ref) {
+    if (found.size() < most && std::ranges::find(found, ref) == found.end()) found.push_back(ref);
+  };
+  if (summary.is_object())
+    if (const auto events = summary.find("events"); events != summary.end() && events->is_array())
+      for (const Json& event : *events)
+        if (event.is_object() && textOf(event, "kind") == "violated")
+          if (const auto element = event.find("element"); element != event.end() && element->is_object())
+            add({static_cast<std::int32_t>(numberOf(*element, "block").value_or(-1)),
+                 static_cast<std::int32_t>(numberOf(*element, "index").value_or(-1))});
+  if (!history) return found;
+  std::vector<std::pair<std::size_t, std::size_t>> rows(history->elements.size());  // how many, of which element
+  for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = {0, i};
+  for (const std::int32_t element : history->controlling)
+    if (element >= 0) ++rows[element].first;
+  std::ranges::stable_sort(rows, std::greater{}, &std::pair<std::size_t, std::size_t>::first);
+  for (const auto& [count, element] : rows)
+    if (const auto ref = elementAt(history->elements[element])) add(*ref);
+  return found;
+}
+
+/// Finds the file's numbers of the elements, where the mesh has some.
+void numberElements(RunHistory& history, const Mesh& mesh) {
+  std::vector<std::string> numbers;
+  for (const std::string& name : history.elements) {
+    const auto ref = elementAt(name);
+    if (!ref || static_cast<std::size_t>(ref->block) >= mesh.blocks.size()) return;
+    const MeshBlock& block = mesh.blocks[ref->block];
+    if (static_cast<std::size_t>(ref->element) >= block.ids.size()) return;
+    numbers.push_back(fmt::format("{}", block.ids[ref->element]));
+  }
+  history.numbers = std::move(numbers);
+}
+
 /// The time of the frame that picture, cards and analysis are of, s: that of the first violation, else that of the
-/// smallest safe step; empty for neither.
+/// smallest safe step, and of states that hardly differ in it that of the most strained one; empty for neither.
 std::optional<double> keyTimeOf(const Json& summary, const std::optional<RunHistory>& history) {
   if (summary.is_object())
     if (const auto moment = summary.find("first_violated"); moment != summary.end() && moment->is_object())
       if (const auto time = numberOf(*moment, "time")) return time;
   if (history)
-    if (const auto least = smallestSafe(*history)) return least->time;
+    if (const auto least = smallestSafe(*history)) return mostStrainedTime(*history, *least);
   return std::nullopt;
 }
 
@@ -143,7 +212,9 @@ std::optional<VtuFrame> addFrames(PageContent& page, const ReportOptions& option
       if (const auto h = state->values.find("step (s)"); h != state->values.end()) page.keyStep = h->second;
     }
     PageFrame shown{static_cast<std::int64_t>(i) + 1, frames[i].time, std::move(*state)};
-    pack.add(shown, i == key);
+    const bool same = i == key && keepsItsElements(page.summary);
+    pack.add(shown, i == key, same ? controllingOf(page.summary, page.history) : std::vector<ElementRef>());
+    if (same && page.history) numberElements(*page.history, shown.state.mesh);
     if (i == key && shown.state.mesh.elementCount() > analysedElements) large = std::move(shown.state);
     ++page.framesShown;
   }

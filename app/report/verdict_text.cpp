@@ -116,9 +116,9 @@ std::string contactText(const Json& discrete, double until) {
 std::string governedText(const Json& discrete) {
   const auto least = numberOf(discrete, "least_safe");
   if (!least) return {};
-  return fmt::format(
-      " At {:.0f} observations {} set the step, not the elements; the least safe step there is {:.4g} s.",
-      numberOf(discrete, "governed_observations").value_or(0), discreteName(discrete), *least);
+  return fmt::format(" At {:.0f} observations {} set the step, not the elements; the least safe step there is {} s.",
+                     numberOf(discrete, "governed_observations").value_or(0), discreteName(discrete),
+                     stepRoundedDown(*least));
 }
 
 /// The penalty, or the stiffness of springs, that leaves the step to the elements. taken: the run's step, s.
@@ -143,9 +143,9 @@ std::vector<std::string> softerContact(const Json& discrete, double taken) {
           "so that a smaller step is needed besides. Contact ",
           penaltyText(*penalty), taken, alone);
     text += fmt::format(
-        "does not govern with at most {} N/m, which leaves {:.0f} % of the {:.4g} s that the elements prove. "
+        "does not govern with at most {} N/m, which leaves {:.0f} % of the {} s that the elements prove. "
         "contact.penalty = \"auto\" makes one for the step; nodes come deeper then.",
-        stepRoundedDown(limit), 100 * share, alone);
+        stepRoundedDown(limit), 100 * share, stepRoundedDown(alone));
     remedies.push_back(std::move(text));
   }
   if (name != "contact")
@@ -159,9 +159,9 @@ std::string roomText(const Json& summary, const std::optional<RunHistory>& histo
   if (!history) return {};
   const auto least = smallestSafe(*history);
   if (!least) return {};
-  std::string text = fmt::format(" The smallest safe step on record{} is {:.4g} s, at step {:.0f}, t = {:.6g} s",
-                                 hasHandler(summary) ? ", of the elements that stay explicit," : "", least->safe,
-                                 least->step, least->time);
+  std::string text = fmt::format(" The smallest safe step on record{} is {} s, at step {:.0f}, t = {:.6g} s",
+                                 hasHandler(summary) ? ", of the elements that stay explicit," : "",
+                                 stepRoundedDown(least->safe), least->step, least->time);
   if (!least->element.empty()) text += fmt::format(", where element {} controls it", least->element);
   const double largest = numberOf(summary, "largest_step").value_or(0);
   if (largest > 0 && largest <= least->safe)
@@ -237,6 +237,13 @@ void adviseHandler(PageVerdict& verdict, const Json& summary, const RunAnalysis*
       "monitor.on_violation = \"handle\".");
 }
 
+/// Four digits of a step; the next ones below or above where these are on the other side of it.
+std::string rounded(double step, int side) {
+  std::string text = fmt::format("{:.4g}", step);
+  if (!(step > 0) || !std::isfinite(step) || side * (std::stod(text) - step) >= 0) return text;
+  return fmt::format("{:.4g}", step + side * 0.5 * std::pow(10, std::floor(std::log10(step)) - 3));
+}
+
 PageVerdict withoutSummary(const std::optional<RunHistory>& history) {
   PageVerdict verdict;
   verdict.title = "No end on record";
@@ -257,7 +264,7 @@ PageVerdict withoutSummary(const std::optional<RunHistory>& history) {
       verdict.sentence += fmt::format(" The step is proven too large at step {:.0f}, t = {:.6g} s",
                                       (*history->column("step"))[row], (*history->column("time_s"))[row]);
       if (const std::int32_t element = history->controlling[row]; element >= 0)
-        verdict.sentence += fmt::format("; element {} controls it there", history->elements[element]);
+        verdict.sentence += fmt::format("; element {} controls it there", history->nameOf(element));
       verdict.sentence += ".";
     }
   }
@@ -288,11 +295,11 @@ bool discreteGoverns(const Json& summary) {
   return violated && numberOf(*violated, "discrete_share").value_or(0) > 0.5;
 }
 
-std::string stepRoundedDown(double step) {
-  if (!(step > 0) || !std::isfinite(step)) return fmt::format("{:.4g}", step);
-  const double unit = std::pow(10, std::floor(std::log10(step)) - 3);
-  return fmt::format("{:.4g}", std::floor(step / unit) * unit);
-}
+std::string stepRoundedDown(double step) { return rounded(step, -1); }
+std::string stepRoundedUp(double step) { return rounded(step, 1); }
+
+/// Of the body's mass; more is another body.
+constexpr double mostMassToAdd = 0.05;
 
 std::vector<std::string> remediesFor(const WhatIf& row, const RunAnalysis& analysis) {
   std::vector<std::string> remedies;
@@ -325,7 +332,7 @@ std::vector<std::string> remediesFor(const WhatIf& row, const RunAnalysis& analy
                     "whose own step is too small; ringwatch inspect with --step {:.4g} tells which a handler takes.",
                     inTheWay, row.h));
   for (const HandlerTrial& trial : row.trials)
-    if (trial.whyNot.empty() && trial.addedMass)
+    if (trial.whyNot.empty() && trial.addedMass && trial.addedShare <= mostMassToAdd)
       remedies.push_back(
           fmt::format("Add {:.3g} kg at their nodes, {:.3g} % of the body's mass, which changes the motion: "
                       "[handler] method = \"{}\".",
@@ -375,7 +382,7 @@ std::optional<SmallestSafe> smallestSafe(const RunHistory& history, std::optiona
     const double value = (*safe)[i];
     if (!(value > 0) || !std::isfinite(value) || (least && value >= least->safe)) continue;
     const std::int32_t element = history.controlling[i];
-    least = {value, (*time)[i], (*step)[i], element >= 0 ? history.elements[element] : std::string()};
+    least = {value, (*time)[i], (*step)[i], element >= 0 ? history.nameOf(element) : std::string()};
   }
   return least;
 }

@@ -29,8 +29,9 @@ struct SmallestSafe {
 /// Empty where the history has no positive safe step there.
 std::optional<SmallestSafe> smallestSafe(const RunHistory& history, std::optional<double> before = {});
 
-/// A step rounded down to four digits, so that what holds for the step holds for the text.
+/// A step rounded to four digits, down or up, so that what is proven below or above the step holds for the text.
 std::string stepRoundedDown(double step);
+std::string stepRoundedUp(double step);
 
 /// Whether springs or contact, not the elements, hold most of the mode that proves the first step too large. summary:
 /// of summary.json, or null without one.

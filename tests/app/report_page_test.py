@@ -132,8 +132,8 @@ def check_mesh(browser, chromium, run):
 
     # Every card's button brings its element into the picture, in the colour of its step.
     for place in range(len(steps)):
-        browser.evaluate(f"document.querySelectorAll('.show-me')[{place}].click()")
-        element = browser.evaluate(f"Number(document.querySelectorAll('.show-me')[{place}].dataset.element)")
+        browser.evaluate(f"document.querySelectorAll('.smallest .show-me')[{place}].click()")
+        element = browser.evaluate(f"Number(document.querySelectorAll('.smallest .show-me')[{place}].dataset.element)")
         browser.wait_for(f"{state}.selected === {element} && document.activeElement.tagName === 'CANVAS'")
         pixel = browser.evaluate(f"ringwatchReport.mesh.pixelOf({element})")
         equal((pixel["colour"][3], pixel["alone"][3]), (255, 255), f"what is drawn at element {element}")
@@ -279,7 +279,7 @@ def check_other_pages(browser, chromium, run):
         # Without the others, which may lie before it, an element has the colour of its step.
         page.evaluate("[...document.querySelectorAll('#mesh-live button')].find(b => b.textContent == 'Whole surface').click()")
         for place, worst in enumerate(numbers["worst_elements"][:3]):
-            page.evaluate(f"document.querySelectorAll('.show-me')[{place}].click()")
+            page.evaluate(f"document.querySelectorAll('.smallest .show-me')[{place}].click()")
             page.wait_for(f"ringwatchReport.mesh.state().selected === {worst['index']}")
             pixel = page.evaluate(f"ringwatchReport.mesh.pixelOf({worst['index']})")
             true(all(0.68 * c - 1 <= found <= c + 1 for found, c in zip(pixel["alone"], pixel["expected"])),
@@ -397,7 +397,7 @@ def check_firefox(browser, chromium, run):
         true(page.evaluate("document.documentElement.scrollWidth <= innerWidth"), "the page is too wide")
         if page.evaluate("ringwatchReport.mesh !== undefined"):
             report = json.loads(page.evaluate("document.getElementById('report').textContent"))
-            page.evaluate("document.querySelectorAll('.show-me')[0].click()")
+            page.evaluate("document.querySelectorAll('.smallest .show-me')[0].click()")
             page.wait_for(f"ringwatchReport.mesh.state().selected === {report['worst'][0]['index']}")
             pixel = page.evaluate(f"ringwatchReport.mesh.pixelOf({report['worst'][0]['index']})")
             true(all(0.68 * c - 1 <= found <= c + 1 for found, c in zip(pixel["alone"], pixel["expected"])),
@@ -491,10 +491,10 @@ def check_keyboard(browser, chromium, run):
     equal(order, sorted(order), "the order of the controls")
     true(canvas is not None, "Tab reaches the picture")
     # A card's button by Enter: its element is shown and the picture has the focus.
-    browser.evaluate("document.querySelectorAll('.show-me')[1].focus()")
+    browser.evaluate("document.querySelectorAll('.smallest .show-me')[1].focus()")
     browser.key("Enter", "\r")
     browser.wait_for("document.activeElement.tagName === 'CANVAS'")
-    element = browser.evaluate("Number(document.querySelectorAll('.show-me')[1].dataset.element)")
+    element = browser.evaluate("Number(document.querySelectorAll('.smallest .show-me')[1].dataset.element)")
     equal(browser.evaluate("ringwatchReport.mesh.state().selected"), element, "the element of the second card")
     equal(browser.said(), [], "messages")
 

@@ -2,15 +2,19 @@
 // something. How it looks and what its controls do is tested in a browser, by report_page_test.py.
 #include <zlib.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <map>
 #include <random>
 #include <regex>
 
 #include <ringwatch/app/command/live_watch.h>
+#include <ringwatch/app/report/mesh_pack.h>
 #include <ringwatch/app/report/page_data.h>
 #include <ringwatch/app/report/run_history.h>
 #include <ringwatch/app/report/verdict_text.h>
+#include <ringwatch/base/infinity.h>
 
 #include "program.h"
 
@@ -156,6 +160,41 @@ TEST_F(Report, ItsFramesHoldPositionsAndStepsOfTheElements) {
   EXPECT_EQ(triangles.size(), 3u * 2 * (4 * 5 + 2));  // a bar of 5 by 1 by 1 cells, whose faces are cut in two
 }
 
+TEST_F(Report, ShowsTheMostStrainedOfStatesWithHardlyAnotherStep) {
+  folder_.write("tiny.toml", tiny);
+  ASSERT_EQ(call("run tiny.toml --set integrator.step=5e-4 --out r --report").status, 0);
+  const Table csv = table("r/history.csv");
+  double least = infinity, most = -1, time = 0;
+  std::map<std::string, int> rows;
+  for (std::size_t i = 0; i < csv.rows.size(); ++i) least = std::min(least, std::stod(csv.at(i, "safe_s")));
+  for (std::size_t i = 0; i < csv.rows.size(); ++i) {
+    ++rows[csv.at(i, "controlling_element")];
+    if (std::stod(csv.at(i, "safe_s")) <= 1.05 * least && std::stod(csv.at(i, "strain_J")) > most)
+      most = std::stod(csv.at(i, "strain_J")), time = std::stod(csv.at(i, "time_s"));
+  }
+  ASSERT_GT(time, 0);
+  const Json report = reportIn(page()), frames = report["mesh"]["groups"][0]["frames"];
+  const auto key = report["keyFrame"].get<std::size_t>();
+  EXPECT_GE(frames[key - 1]["time"].get<double>(), time * (1 - 1e-12));
+  if (key > 1) {
+    EXPECT_LT(frames[key - 2]["time"].get<double>(), time);
+  }
+  // First of the elements in the way is that of most rows.
+  const auto longest = std::max_element(rows.begin(), rows.end(), [](auto& a, auto& b) { return a.second < b.second; });
+  const Json first = report["controlling"][0];
+  EXPECT_EQ(rows[first["block"].dump() + ":" + first["index"].dump()], longest->second);
+}
+
+TEST(ReportColours, DoNotSpreadWhatDiffersByRounding) {
+  for (const double high : {1.0, 1 + 1e-15, 1.04}) {
+    const ColourRange range = ColourRange::about(1, high);
+    EXPECT_NEAR(range.high / range.low, ColourRange::least, 1e-12);
+    EXPECT_NEAR(range.low * range.high, high, 1e-12);
+  }
+  EXPECT_EQ(ColourRange::about(1, 2).low, 1);
+  EXPECT_EQ(ColourRange::about(1, 2).high, 2);
+}
+
 TEST_F(Report, SaysWhichElementWhenAndWhatToDo) {
   folder_.write("tiny.toml", tiny);
   ASSERT_EQ(call("run tiny.toml --set integrator.step=4e-3 --set integrator.end=0.2 --out r --report").status, 1);
@@ -170,6 +209,9 @@ TEST_F(Report, SaysWhichElementWhenAndWhatToDo) {
   EXPECT_THAT(sentence, HasSubstr("element " + (*violated)["element"]["id"].dump() + " of the mesh"));
   EXPECT_THAT(sentence, HasSubstr((*violated)["cause"].get<std::string>()));
   EXPECT_THAT(sentence, HasSubstr("stopped before"));
+  const Json report = reportIn(page());
+  for (const char* key : {"block", "index", "id"})
+    EXPECT_EQ(report["controlling"][0][key], (*violated)["element"][key]);
   EXPECT_THAT(verdict["remedies"].dump(), AllOf(HasSubstr("smaller step"), HasSubstr("handler")));
 }
 
@@ -581,11 +623,14 @@ TEST_F(Report, NamesFromTheSceneDoNotBecomeMarkup) {
   EXPECT_EQ(reportIn(page())["summary"], summary);
 }
 
-TEST(ReportVerdict, RoundsStepsDownOnly) {
+TEST(ReportVerdict, RoundsStepsToTheSideWhereTheyHold) {
   for (const double step : {7.29999e-4, 1.0, 9.9999e-7, 123456.0}) {
     const double rounded = std::stod(stepRoundedDown(step));
     EXPECT_LE(rounded, step);
     EXPECT_GE(rounded, step * (1 - 1.001e-3));
+    const double up = std::stod(stepRoundedUp(step));
+    EXPECT_GE(up, step);
+    EXPECT_LE(up, step * (1 + 1.001e-3));
   }
 }
 

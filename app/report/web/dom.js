@@ -12,6 +12,13 @@ export function make(name, attributes = {}, ...children) {
   return element;
 }
 
+/// A bound to four digits on the side where what it proves stays true: side -1 below, 1 above, 0 for no bound.
+export function bound(value, side) {
+  const nearest = Number(value.toPrecision(4));
+  if (!(value > 0) || !Number.isFinite(value) || side * (nearest - value) >= 0) return number(value);
+  return number(value + side * 0.5 * 10 ** (Math.floor(Math.log10(value)) - 3));
+}
+
 export function number(value, digits = 4) {
   if (value === null || value === undefined || Number.isNaN(value)) return 'unknown';
   if (!Number.isFinite(value)) return value > 0 ? 'no limit' : '-∞';

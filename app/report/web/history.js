@@ -1,7 +1,9 @@
 // Bracket, who controls it, and energies, against time with one cursor and one zoom.
 import uPlot from 'uplot';
 import {arrayOf} from './arrays.js';
-import {colourOf, make, number, slider} from './dom.js';
+import {bound, colourOf, make, number, slider} from './dom.js';
+
+const sideOf = {safe_s: -1, optimistic_s: 1};  // on which a bound of that column is rounded
 
 const logarithmicFrom = 30;  // largest value over the largest step taken, as in charts.cpp
 
@@ -29,6 +31,7 @@ function pixelOf(draw) {
 export async function startHistory(report, place, before) {
   const history = report.history;
   const {columns, controlling, verdicts, rows} = await historyColumns(history);
+  const names = history.numbers.length ? history.numbers : history.elements;
   const time = Array.from(columns.time_s);
   const begin = time[0], end = time[time.length - 1];
   const plots = [];
@@ -100,9 +103,9 @@ export async function startHistory(report, place, before) {
     cursorAt.output.textContent = `t = ${number(time[row], 6)} s`;
     cursorAt.input.setAttribute('aria-valuetext', `step ${columns.step[row]}, t = ${number(time[row], 6)} s`);
     const texts = [`step ${columns.step[row]}`];
-    for (const [name, label] of [...steps, ...energies]) texts.push(`${label} ${number(columns[name][row])} ${name.endsWith('_J') ? 'J' : 's'}`);
+    for (const [name, label] of [...steps, ...energies]) texts.push(`${label} ${bound(columns[name][row], sideOf[name] || 0)} ${name.endsWith('_J') ? 'J' : 's'}`);
     const element = controlling[row];
-    if (element >= 0) texts.push(`controlled by element ${history.elements[element]}`);
+    if (element >= 0) texts.push(`controlled by element ${names[element]}`);
     if (columns.handled_elements && columns.handled_elements[row] > 0) texts.push(`${columns.handled_elements[row]} elements handled`);
     const verdict = history.verdictNames[verdicts[row]];
     if (verdict) texts.push(verdict);
@@ -152,7 +155,7 @@ export async function startHistory(report, place, before) {
         const left = plot.valToPos(time[i], 'x', true), right = plot.valToPos(last, 'x', true);
         ctx.fillStyle = elementColour(controlling[i]);
         ctx.fillRect(left, bbox.top, Math.max(1, right - left), bbox.height);
-        const label = history.elements[controlling[i]];
+        const label = names[controlling[i]];
         ctx.font = `${11 * devicePixelRatio}px sans-serif`;
         ctx.textAlign = 'left';
         if (ctx.measureText(label).width + 6 < right - left) {
@@ -171,7 +174,7 @@ export async function startHistory(report, place, before) {
     if (keys) {
       const line = make('p', {class: 'note'});
       for (const [, label, colour, dash] of keys)
-        line.append(make('span', {class: 'key', style: `color:var(${colour});border-top-style:${dash.length === 0 ? 'solid' : dash[0] > 3 ? 'dashed' : 'dotted'}`}), label);
+        line.append(make('span', {class: 'keyed'}, make('span', {class: 'key', style: `color:var(${colour});border-top-style:${dash.length === 0 ? 'solid' : dash[0] > 3 ? 'dashed' : 'dotted'}`}), label), ' ');
       box.append(line);
     }
     area.append(box);

@@ -17,6 +17,17 @@ function scaleColour(share) {
   return stops[low].map((c, i) => Math.round(c + (at - low) * (stops[low + 1][i] - c)));
 }
 
+/// The range of the colours of a field: no narrower than a part of the numbers in it, so that what differs by rounding alone has
+/// nearly one colour. As ColourRange in mesh_pack.h; largest: of all frames.
+function colourRange(low, high, logarithmic, largest) {
+  if (logarithmic) {
+    const least = 1.05, middle = Math.sqrt(low * high);
+    return !(low > 0) || high > least * low ? [low, high] : [middle / Math.sqrt(least), middle * Math.sqrt(least)];
+  }
+  const least = 1e-3 * largest, middle = (low + high) / 2;
+  return high - low > least ? [low, high] : [middle - least / 2, middle + least / 2];
+}
+
 const edgesUpTo = 40000;  // triangles of a surface that is drawn with its edges
 
 /// What the frames of one mesh share.
@@ -175,8 +186,10 @@ export async function startMesh(report, place, stepField, before) {
     if (!field || !values) return {of: () => grey, text: ['no field']};
     if (field.kind === 'class') return {of: e => classes[Math.min(2, Math.max(0, values[e]))], classes: true};
     const own = sameScale.checked ? frames.map(f => fieldOf(f, fieldName)).filter(f => f && f.max > f.min) : [field];
-    const low = Math.min(...own.map(f => f.min)), high = Math.max(...own.map(f => f.max));
-    const map = field.kind === 'logarithmic' ? Math.log : v => v;
+    const logarithmic = field.kind === 'logarithmic', everywhere = frames.map(f => fieldOf(f, fieldName)).filter(f => f);
+    const [low, high] = colourRange(Math.min(...own.map(f => f.min)), Math.max(...own.map(f => f.max)), logarithmic,
+                                    Math.max(...everywhere.map(f => Math.max(Math.abs(f.min), Math.abs(f.max)))));
+    const map = logarithmic ? Math.log : v => v;
     const range = map(high) - map(low);
     // Red is what to look at: small steps, large stresses.
     const largeIsRed = field.kind === 'linear';
