@@ -345,7 +345,6 @@ TEST(ValidityBalls, OneNodeThatMovesHasFewBatchesTested) {
     }
     tested += checked.balls.testedBatches();
   }
-  printf("left %zu, %.2f batches a check\n", left, static_cast<double>(tested) / steps);
   EXPECT_GT(left, 5U);
   EXPECT_LT(tested, 8U * steps);
 }
