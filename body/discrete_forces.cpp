@@ -49,7 +49,7 @@ Eigen::Vector3d resistance(const Contact& contact, double penalty, double dampin
   const Slide slide = slideOf(velocity, normal);
   Eigen::Vector3d force = damping * slide.normal * normal;
   if (contact.friction > 0)
-    force += contact.friction * penalty * depth / std::max(slide.along.norm(), contact.slip) * slide.along;
+    force += contact.friction * penalty * depth / std::max(slide.along.norm(), contact.slip.at(depth)) * slide.along;
   return force;
 }
 
@@ -102,8 +102,7 @@ void DiscreteForces::add(PenaltyContact contact) {
   for (const double penalty : contact.penalty) requireConstant("penalty", penalty);
   for (const double damping : contact.damping) requireConstant("damping", damping);
   requireConstant("friction", contact.friction);
-  if (contact.friction > 0 && !(contact.slip > 0))
-    throw InputError(joinText("slip = ", contact.slip, " m/s: must be > 0 where there is friction"));
+  requireSlip(contact.friction, contact.slip);
   note(contact.nodes);
   friction_ = friction_ || contact.friction > 0;
   damped_ = damped_ || friction_ ||
@@ -466,7 +465,7 @@ void DiscreteForces::forMajorants(NodeVectorsView x, bool room, std::span<const 
       const bool curved = !at.curvature.isZero(0);
       if (at.curvature.trace() < 0) own -= contact.penalty[k] * depth * (room ? 1 + deepening : 1) * at.curvature;
       if (contact.friction > 0)
-        own += (f * contact.friction * contact.penalty[k] * depth * (room ? 1 + deepening : 1) / contact.slip) *
+        own += (f * contact.friction * contact.slip.dashpot(contact.penalty[k], depth * (room ? 1 + deepening : 1))) *
                (I - outward);
       if (room && curved) own += turning * along * I;
       add(node, own);
@@ -493,7 +492,8 @@ void DiscreteForces::forSurfaceMajorants(NodeVectorsView x, bool room, const Add
     };
     const auto stiffness = [&](double penalty, double damping, double depth) {
       double k = penalty + f * damping;
-      if (contact.friction > 0) k += f * contact.friction * penalty * depth * (room ? 1 + deepening : 1) / contact.slip;
+      if (contact.friction > 0)
+        k += f * contact.friction * contact.slip.dashpot(penalty, depth * (room ? 1 + deepening : 1));
       return k;
     };
     std::vector<std::pair<std::int32_t, double>> corners;

@@ -31,14 +31,14 @@ struct Spring {
 
 /// Nodes that an obstacle pushes away: with g < 0 the distance from its surface and n the outward normal, the force
 /// -k g n; -c n nᵀ(v - v_o) by viscous damping, v_o the velocity of the obstacle; and by friction -μ k |g| u/max(|u|,
-/// slip), u the part of v - v_o along the surface (Coulomb's law, regularised).
+/// slip(|g|)), u the part of v - v_o along the surface (Coulomb's law, regularised).
 struct PenaltyContact {
   std::size_t obstacle = 0;
   std::vector<std::int32_t> nodes;
   std::vector<double> penalty;  ///< k of each node, N/m
   std::vector<double> damping;  ///< c of each node, N s/m
   double friction = 0;          ///< μ
-  double slip = 0;              ///< m/s, > 0 where there is friction: below it the surfaces stick
+  SlipSpeed slip;               ///< below it the surfaces stick
 };
 
 /// Forces at nodes that are of no solid element: springs, dashpots and penalty contact, with rigid obstacles and of

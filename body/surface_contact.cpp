@@ -74,6 +74,12 @@ struct BallQuery {
 
 }  // namespace
 
+void requireSlip(double friction, const SlipSpeed& slip) {
+  if (friction > 0 && !((slip.speed > 0) != (slip.ofDepth > 0)))
+    throw InputError(joinText("slip = ", slip.speed, " m/s or ", slip.ofDepth,
+                              " of the depth a second: one of them must be > 0 where there is friction"));
+}
+
 SurfaceContact surfaceContact(const Mesh& mesh, std::vector<std::int32_t> nodes,
                               const std::vector<std::int32_t>& surface, std::optional<double> edgeAngle) {
   SurfaceContact contact;
@@ -149,8 +155,7 @@ SurfaceSearch::SurfaceSearch(SurfaceContact contact, std::int32_t nodeCount) : c
   require("damping", contact_.damping, false);
   require("split", contact_.split, true);
   require("friction", {contact_.friction}, false);
-  if (contact_.friction > 0 && !(contact_.slip > 0))
-    throw InputError(joinText("slip = ", contact_.slip, " m/s: must be > 0 where there is friction"));
+  requireSlip(contact_.friction, contact_.slip);
   nodes_ = contact_.nodes;
   for (const auto& triangle : contact_.triangles) nodes_.insert(nodes_.end(), triangle.begin(), triangle.end());
   for (const SurfaceContact::Edge& edge : contact_.edges) {

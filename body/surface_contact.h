@@ -12,6 +12,19 @@
 
 namespace ringwatch {
 
+/// The speed below which friction is viscous, so that surfaces stick: a speed, or in proportion to the depth. One of
+/// the two is > 0 where there is friction.
+struct SlipSpeed {
+  double speed = 0;    ///< m/s
+  double ofDepth = 0;  ///< 1/s
+  double at(double depth) const { return speed > 0 ? speed : ofDepth * depth; }
+  /// k depth/at(depth), N s/m, of the penalty k, N/m: friction's dashpot while surfaces stick, over μ.
+  double dashpot(double penalty, double depth) const { return speed > 0 ? penalty * depth / speed : penalty / ofDepth; }
+};
+
+/// Throws InputError unless one of the two is > 0 where there is friction.
+void requireSlip(double friction, const SlipSpeed& slip);
+
 /// Nodes that the triangles of a surface push away, of other parts of the mesh and of the nodes' own one.
 ///
 /// A node that is behind the surface, in its nearest triangle's solid, has the energy k d²/2, d its distance from that
@@ -32,7 +45,7 @@ struct SurfaceContact {
   /// 54, docs/theory/discrete_forces.md). Good is the mass of the node over that of the surface's.
   std::vector<double> split;
   double friction = 0;  ///< μ
-  double slip = 0;      ///< m/s, > 0 where there is friction
+  SlipSpeed slip;
 
   std::vector<std::array<std::int32_t, 3>> triangles;  ///< corners, counter-clockwise as seen from outside
   std::vector<double> depth;                           ///< m, of each triangle

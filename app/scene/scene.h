@@ -169,9 +169,10 @@ struct Scene {
     std::optional<double> edgeAngle;     // radians; empty: edges do not touch edges
     std::vector<std::size_t> obstacles;  // of the scene's
     std::optional<double> penalty;       // N/m; empty for "auto"
-    double step = 0;                     // s, that "auto" leaves
+    std::optional<double> step;          // s, that "auto" leaves; empty: that of the elements at rest
     double damping = 0;                  // share of the critical damping of a node on its penalty
-    double friction = 0, slip = 0;       // slip: m/s
+    double friction = 0;
+    std::optional<double> slip;  // m/s; empty for "auto"
     std::string origin, penaltyOrigin;
   };
 

@@ -34,6 +34,9 @@ constexpr double contactSteps = 20;
 /// What "auto" takes at most of the largest penalty that the wanted step has room for at rest: elements stiffen as they
 /// deform. It decides only where the step is within about 1 % of what the elements alone prove, or damping is strong.
 constexpr double shareOfRoom = 0.5;
+/// Damping of a node that sticks by friction, as a share of the critical one on its penalty: more sticks better, and
+/// leaves less of the step, 2 % of λ for 20 steps.
+constexpr double stickingShare = 0.1;
 /// The reference step of "auto" where elements damp: how often it is corrected, and when it is near enough.
 constexpr int referenceSearches = 4;
 constexpr double referenceTolerance = 0.005;
@@ -158,18 +161,15 @@ void readContact(const SceneTable& section, Scene& scene) {
   readTouched(section, scene, contact);
   contact.damping = section.get<double>("damping");
   contact.friction = section.get<double>("friction");
-  contact.slip = section.get<double>("slip");
+  if (section.at("slip").value.is_number()) contact.slip = section.get<double>("slip");
   if (section.at("penalty").value.is_number()) {
     contact.penalty = section.get<double>("penalty");
     if (section.given("step"))
       fail(section.at("step").origin, "contact.step", "is what penalty = \"auto\" is made of; take one of them out");
   } else if (section.given("step")) {
     contact.step = section.get<double>("step");
-  } else if (scene.step) {
-    contact.step = *scene.step;
   } else {
-    fail(section.origin, "contact.step",
-         "missing; penalty = \"auto\" needs the step (s) that it is to leave where integrator.step is \"auto\"");
+    contact.step = scene.step;
   }
   scene.contacts.push_back(std::move(contact));
 }
@@ -272,6 +272,32 @@ ElementsAlone elementsAlone(const Body& body) {
   return {weights.last(), weights.nodal()};
 }
 
+/// The elements at rest, and the step that a penalty "auto" leaves.
+struct AtRest {
+  double step;  // s
+  ElementsAlone alone;
+};
+/// What elements damp counts for that step. wanted: empty for the safe step of the elements alone.
+AtRest atRest(const Scene& scene, Body& body, std::optional<double> wanted) {
+  ElementDamping* elements = body.elementDamping();
+  const auto aloneAt = [&](double factor) {
+    if (elements) elements->setFactor(factor);
+    return elementsAlone(body);
+  };
+  const auto aloneFor = [&](double step) { return aloneAt(dampingFactor(scene.damping, step)); };
+  if (wanted) return {*wanted, aloneFor(*wanted)};
+  const IntegratorInfo& info = *integratorCatalog().find(scene.method);
+  AtRest rest{0, aloneAt(0)};
+  rest.step = scene.safety * stepRule(info, scene.damping)(rest.alone.bound);
+  for (int i = 0; elements && i < referenceSearches; ++i) {
+    rest.alone = aloneFor(rest.step);
+    rest.step =
+        scene.safety * stepRuleWithDashpots(info, scene.damping, rest.step, elements->overcount())(rest.alone.bound);
+  }
+  if (elements) rest.alone = aloneFor(rest.step);
+  return rest;
+}
+
 /// Throws InputError where surfaces overlap at the start.
 void requireApart(const Scene::Contact& contact, SurfaceContact surface, const Mesh& mesh) {
   surface.penalty.assign(surface.nodes.size(), 0);
@@ -344,11 +370,29 @@ double penaltyFor(double room, double mass, double damping, double factor) {
   return root * root;
 }
 
-std::string noRoom(const Scene::Contact& contact, double proven) {
+std::string noRoom(const Scene::Contact& contact, double proven, double step) {
   return fmt::format(
       "{}: \"auto\" has no room: the elements alone prove steps up to {:.4g} s at "
       "rest; take a smaller step than {:.4g} s, in contact.step or integrator.step",
-      contact.penaltyOrigin, proven, contact.step);
+      contact.penaltyOrigin, proven, step);
+}
+
+/// The damping that a penalty "auto" leaves room for, of the critical one.
+double dampingShare(const Scene::Contact& contact) {
+  return contact.damping + (contact.friction > 0 && !contact.slip ? stickingShare : 0);
+}
+
+/// fastest: ω of a node on its penalty, rad/s, the largest of the contact.
+SlipSpeed slipOf(const Scene::Contact& contact, double fastest) {
+  if (contact.slip) return {.speed = *contact.slip};
+  return {.ofDepth = contact.friction * fastest / (2 * stickingShare)};
+}
+
+/// Damping of a node, N s/m, with that of friction that sticks at any depth.
+template <class Contact>
+double dampingOf(const Contact& contact, std::size_t k) {
+  const bool sticks = contact.friction > 0 && contact.slip.ofDepth > 0;
+  return contact.damping[k] + (sticks ? contact.friction * contact.slip.dashpot(contact.penalty[k], 0) : 0);
 }
 
 /// Areas, masses and rooms of the nodes of a surface, by node.
@@ -436,7 +480,7 @@ std::map<std::int32_t, SurfaceLoad> surfaceLoads(const Body& body) {
       most = std::max(most, 1 + 1 / contact.split[k]);
       const double mass = body.lumpedMass()[contact.nodes[k]];
       if (contact.penalty[k] > 0)
-        damping = std::max(damping, contact.damping[k] / (2 * std::sqrt(contact.penalty[k] * mass)));
+        damping = std::max(damping, dampingOf(contact, k) / (2 * std::sqrt(contact.penalty[k] * mass)));
     }
     std::vector<std::int32_t> corners;
     for (const auto& triangle : contact.triangles) corners.insert(corners.end(), triangle.begin(), triangle.end());
@@ -484,7 +528,6 @@ SurfaceSides sidesOf(const Scene::Contact& contact, const Body& body) {
     throw InputError(fmt::format("{}: to_where, to_set: {}; change the condition", contact.origin, fault.what()));
   }
   own.friction = contact.friction;
-  own.slip = contact.slip;
   sides.shares = sharesOf(own, body);
   const SurfaceShares& shares = sides.shares;
   for (std::size_t k = 0; k < nodes.size(); ++k)
@@ -495,16 +538,25 @@ SurfaceSides sidesOf(const Scene::Contact& contact, const Body& body) {
   return sides;
 }
 
-/// The damping of a contact with the surface that has its penalties.
+/// Adds damping and slip of a contact with the surface that has its penalties.
 void addSurfaceDamping(const Scene::Contact& contact, const Body& body, SurfaceContact& own) {
-  for (SurfaceContact::Edge& edge : own.edges) edge.damping = 2 * contact.damping * std::sqrt(edge.penalty * edge.mass);
-  for (std::size_t k = 0; k < own.nodes.size(); ++k)
-    own.damping.push_back(2 * contact.damping * std::sqrt(own.penalty[k] * body.lumpedMass()[own.nodes[k]]));
+  double fastest = 0;
+  for (SurfaceContact::Edge& edge : own.edges) {
+    edge.damping = 2 * contact.damping * std::sqrt(edge.penalty * edge.mass);
+    fastest = std::max(fastest, std::sqrt(edge.penalty / edge.mass));
+  }
+  for (std::size_t k = 0; k < own.nodes.size(); ++k) {
+    const double mass = body.lumpedMass()[own.nodes[k]];
+    own.damping.push_back(2 * contact.damping * std::sqrt(own.penalty[k] * mass));
+    fastest = std::max(fastest, std::sqrt(own.penalty[k] / mass));
+  }
+  own.slip = slipOf(contact, fastest);
 }
 
-/// A contact with the surface, with its penalties. alone: made when it is wanted.
+/// A contact with the surface, with its penalties. restOf: AtRest of a contact.
+template <class RestOf>
 SurfaceContact surfaceContactOf(const Scene& scene, const Scene::Contact& contact, const Body& body,
-                                std::optional<ElementsAlone>& alone) {
+                                const RestOf& restOf) {
   SurfaceSides sides = sidesOf(contact, body);
   SurfaceContact& own = sides.contact;
   const std::vector<std::int32_t>&nodes = own.nodes, &to = sides.to;
@@ -514,27 +566,27 @@ SurfaceContact surfaceContactOf(const Scene& scene, const Scene::Contact& contac
     own.penalty.assign(nodes.size(), *contact.penalty);
     for (SurfaceContact::Edge& edge : own.edges) edge.penalty = *contact.penalty;
   } else {
-    if (!alone) alone = elementsAlone(body);
+    const AtRest& rest = restOf(contact);
     const StepRule rule = stepRule(*integratorCatalog().find(scene.method), scene.damping);
-    const double allowed = rule.lambdaFor(contact.step);
+    const double allowed = rule.lambdaFor(rest.step);
     std::vector<double> room(body.nodeCount());
     for (const std::vector<std::int32_t>* side : {&nodes, &to})
       for (const std::int32_t node : *side) {
-        room[node] = body.lumpedMass()[node] * (allowed - alone->nodal[node]);
-        if (!(room[node] > 0)) throw InputError(noRoom(contact, rule(alone->bound)));
+        room[node] = body.lumpedMass()[node] * (allowed - rest.alone.nodal[node]);
+        if (!(room[node] > 0)) throw InputError(noRoom(contact, rule(rest.alone.bound), rest.step));
       }
-    const double slow = std::numbers::pi / (contactSteps * contact.step),
-                 factor = dampingFactor(scene.damping, contact.step);
+    const double slow = std::numbers::pi / (contactSteps * rest.step), factor = dampingFactor(scene.damping, rest.step),
+                 damping = dampingShare(contact);
     for (const std::int32_t node : nodes)
       own.penalty.push_back(slow * slow * std::min(body.lumpedMass()[node], shares.massPerArea * shares.area[node]));
-    fitSurfacePenalties(own, shares, body, room, contact.damping, factor);
+    fitSurfacePenalties(own, shares, body, room, damping, factor);
     const std::vector<double> loads = edgeLoads(own, body.nodeCount());
     for (SurfaceContact::Edge& edge : own.edges) {
       edge.penalty = slow * slow * edge.mass;
       for (const std::int32_t node : edge.nodes)
         if (!shares.held[node])
           edge.penalty = std::min(edge.penalty, penaltyFor(0.5 * shareOfRoom * room[node] / loads[node],
-                                                           body.lumpedMass()[node], contact.damping, factor));
+                                                           body.lumpedMass()[node], damping, factor));
     }
   }
   addSurfaceDamping(contact, body, own);
@@ -600,35 +652,46 @@ void addDiscreteForces(const Scene& scene, Body& body) {
   for (const Scene::MovingObstacle& obstacle : scene.obstacles) forces.add(obstacle.kind->make(obstacle.parameters));
   placeObstacles(scene, 0, forces);
   requireOutside(scene, body.mesh());
-  std::optional<ElementsAlone> alone;
+  std::optional<AtRest> rest;
+  std::optional<double> wanted;
+  const auto restOf = [&](const Scene::Contact& contact) -> const AtRest& {
+    if (!rest || contact.step != wanted) rest = atRest(scene, body, contact.step);
+    wanted = contact.step;
+    if (!(rest->step > 0) || !std::isfinite(rest->step))
+      throw InputError(
+          fmt::format("{}: contact.step: missing; penalty = \"auto\" is made for a step, and the elements "
+                      "alone set none",
+                      contact.penaltyOrigin));
+    return *rest;
+  };
   for (const Scene::Contact& contact : scene.contacts) {
     if (contact.withSurface) {
-      forces.add(surfaceContactOf(scene, contact, body, alone));
+      forces.add(surfaceContactOf(scene, contact, body, restOf));
       continue;
     }
     const std::vector<std::int32_t> nodes =
         contact.nodes ? contact.nodes->nodesOf(body.mesh()) : surfaceNodes(body.mesh());
     std::vector<double> penalty(nodes.size(), contact.penalty.value_or(0)), damping(nodes.size());
     if (!contact.penalty) {
-      // What elements damp counts for that step, of each contact.
-      if (ElementDamping* elements = body.elementDamping()) {
-        elements->setFactor(dampingFactor(scene.damping, contact.step));
-        alone.reset();
-      }
-      if (!alone) alone = elementsAlone(body);
+      const AtRest& elements = restOf(contact);
       const StepRule rule = stepRule(*integratorCatalog().find(scene.method), scene.damping);
-      const double allowed = rule.lambdaFor(contact.step), factor = dampingFactor(scene.damping, contact.step);
+      const double allowed = rule.lambdaFor(elements.step), factor = dampingFactor(scene.damping, elements.step),
+                   slow = std::numbers::pi / (contactSteps * elements.step);
       for (std::size_t k = 0; k < nodes.size(); ++k) {
-        const double mass = body.lumpedMass()[nodes[k]], room = mass * (allowed - alone->nodal[nodes[k]]);
-        if (!(room > 0)) throw InputError(noRoom(contact, rule(alone->bound)));
-        const double slow = std::numbers::pi / (contactSteps * contact.step);
-        penalty[k] = std::min(mass * slow * slow, penaltyFor(shareOfRoom * room, mass, contact.damping, factor));
+        const double mass = body.lumpedMass()[nodes[k]], room = mass * (allowed - elements.alone.nodal[nodes[k]]);
+        if (!(room > 0)) throw InputError(noRoom(contact, rule(elements.alone.bound), elements.step));
+        penalty[k] = std::min(mass * slow * slow, penaltyFor(shareOfRoom * room, mass, dampingShare(contact), factor));
       }
     }
-    for (std::size_t k = 0; k < nodes.size(); ++k)
-      damping[k] = 2 * contact.damping * std::sqrt(penalty[k] * body.lumpedMass()[nodes[k]]);
+    double fastest = 0;
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+      const double mass = body.lumpedMass()[nodes[k]];
+      damping[k] = 2 * contact.damping * std::sqrt(penalty[k] * mass);
+      fastest = std::max(fastest, std::sqrt(penalty[k] / mass));
+    }
+    const SlipSpeed slip = slipOf(contact, fastest);
     for (const std::size_t obstacle : contact.obstacles)
-      forces.add(PenaltyContact{obstacle, nodes, penalty, damping, contact.friction, contact.slip});
+      forces.add(PenaltyContact{obstacle, nodes, penalty, damping, contact.friction, slip});
   }
   body.setDiscreteForces(std::move(forces));
 }
@@ -662,6 +725,7 @@ void renewSurfaceContact(const Scene& scene, double time, std::vector<std::size_
     for (SurfaceContact::Edge& edge : own.edges)
       edge.penalty = contact.penalty ? *contact.penalty : edges.of(edge.nodes, edge.mass, nodes.least());
     addSurfaceDamping(contact, body, own);
+    own.slip = former.slip;
     forces.add(std::move(own));
     left.push_back(contacts[i]);
   }
@@ -711,7 +775,7 @@ std::optional<PenaltyRoom> penaltyRoom(const Scene& scene, const Body& body, dou
         const double mass = body.lumpedMass()[contact.nodes[k]];
         // The damping grows with the root of the penalty, as a share of the critical one.
         const double damping =
-            contact.penalty[k] > 0 ? contact.damping[k] / (2 * std::sqrt(contact.penalty[k] * mass)) : 0;
+            contact.penalty[k] > 0 ? dampingOf(contact, k) / (2 * std::sqrt(contact.penalty[k] * mass)) : 0;
         most = std::min(most, penaltyFor(mass * (rule.lambdaFor(h) - alone.nodal[contact.nodes[k]]), mass, damping,
                                          dampingFactor(scene.damping, h)));
       }

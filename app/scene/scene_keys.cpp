@@ -694,7 +694,8 @@ void addDiscrete(std::vector<SceneKey>& all) {
            .type = T::number,
            .unit = "s",
            .range = positive,
-           .help = "that penalty = \"auto\" is made for; without, integrator.step"},
+           .help = "that penalty = \"auto\" is made for; without, integrator.step, and where that is \"auto\" the safe "
+                   "step of the elements at rest alone"},
           {.key = "damping",
            .type = T::number,
            .fallback = "0.0",
@@ -706,11 +707,13 @@ void addDiscrete(std::vector<SceneKey>& all) {
            .range = notNegative,
            .help = "Coulomb's coefficient; with symplectic-euler and verlet"},
           {.key = "slip",
-           .type = T::number,
+           .type = T::numberOrAuto,
            .unit = "m/s",
-           .fallback = "0.01",
+           .fallback = "\"auto\"",
            .range = positive,
-           .help = "speed below that friction is viscous, so that surfaces that stick creep"},
+           .help =
+               "speed below that friction is viscous, so that surfaces that stick creep; \"auto\": in proportion to "
+               "the depth, so that a node that sticks has a tenth of the critical damping on its penalty at most"},
       });
 }
 

@@ -498,8 +498,6 @@ TEST_F(Contact, RefusesWhatCannotBe) {
   refuse(std::string(floor) + contact("where = \"x > 5\"\n"), "\"x > 5\" selects no node");
   refuse(std::string(floor) + contact("where = \"all\"\nset = \"x-min\"\n"),
          "contact.where: both where and set are given; give one of them");
-  refuse(std::string(floor) + "[[contact]]\n", "contact.step: missing; penalty = \"auto\" needs the step (s)",
-         "--set integrator.step=auto");
   refuse("[[spring]]\nwhere = \"x > 5\"\nstiffness = 1\n", "spring.where: \"x > 5\" selects no node");
   refuse("[[spring]]\nwhere = \"all\"\nto_where = \"x > 5\"\nstiffness = 1\n",
          "spring.to_where: \"x > 5\" selects no node");
@@ -595,7 +593,7 @@ const std::vector<Key>& newKeys() {
       {"contact", "step", number, "> 0", "s"},
       {"contact", "damping", number, ">= 0", ""},
       {"contact", "friction", number, ">= 0", ""},
-      {"contact", "slip", number, "> 0", "m/s"},
+      {"contact", "slip", "a number or \"auto\"", "> 0", "m/s"},
       {"move", "angular_velocity", vector, "", "rad/s"},
       {"move", "point", vector, "", "m"},
       {"move", "displacement", vector, "", "m"},

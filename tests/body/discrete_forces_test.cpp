@@ -134,7 +134,7 @@ struct Made {
           contact.damping.push_back(random.uniform(0, 1));
         }
       contact.friction = friction;
-      contact.slip = 0.3;
+      contact.slip.speed = 0.3;
       forces.add(std::move(contact));
     }
   }
@@ -197,7 +197,7 @@ TEST(DiscreteForces, FrictionResistsAlongTheSurface) {
   contact.penalty = {100};
   contact.damping = {0};
   contact.friction = 0.5;
-  contact.slip = 0.01;
+  contact.slip.speed = 0.01;
   forces.add(contact);
   forces.place(0, Vector3d::Zero(), {1, 0, 0});
   NodeVectors x(3, 1), v(3, 1), force = NodeVectors::Zero(3, 1);

@@ -182,7 +182,7 @@ TEST(EdgeContact, DampingAndFrictionActOnTheSlip) {
   SurfaceContact contact = edgesOf(mesh);
   for (SurfaceContact::Edge& edge : contact.edges) edge.damping = 3;
   contact.friction = 0.5;
-  contact.slip = 0.01;
+  contact.slip.speed = 0.01;
   DiscreteForces forces(static_cast<std::int32_t>(mesh.nodeCount()));
   forces.add(contact);
   const NodeVectors x = crossed(mesh, 0.001, {0.0025, 0.004, 0});

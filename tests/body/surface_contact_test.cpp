@@ -90,7 +90,7 @@ SurfaceContact contactOf(const Mesh& mesh, test::Random& random, double friction
     contact.split[k] = std::exp(random.uniform(-1, 1));
   }
   contact.friction = friction;
-  contact.slip = 0.3;
+  contact.slip.speed = 0.3;
   return contact;
 }
 
@@ -199,7 +199,7 @@ TEST(SurfaceContact, FrictionResistsAlongTheFace) {
   contact.penalty.assign(4, 100);
   contact.damping.assign(4, 0);
   contact.friction = 0.5;
-  contact.slip = 0.01;
+  contact.slip.speed = 0.01;
   DiscreteForces forces(static_cast<std::int32_t>(mesh.nodeCount()));
   forces.add(contact);
   NodeVectors x = mesh.X, v = NodeVectors::Zero(3, x.cols()), f = v;
@@ -635,8 +635,9 @@ TEST(SurfaceContact, RefusesWhatIsNoContact) {
   EXPECT_EQ(text([&] { forces.add(contact); }), "penalty = -1: must be >= 0");
   contact.penalty = {1};
   contact.friction = 0.1;
-  contact.slip = 0;
-  EXPECT_EQ(text([&] { forces.add(contact); }), "slip = 0 m/s: must be > 0 where there is friction");
+  contact.slip.speed = 0;
+  EXPECT_EQ(text([&] { forces.add(contact); }),
+            "slip = 0 m/s or 0 of the depth a second: one of them must be > 0 where there is friction");
   // Positions that are not finite touch nothing, and are no fault.
   contact.friction = 0;
   forces.add(contact);
