@@ -38,10 +38,11 @@ struct BoxQuery {
   }
 };
 
-/// Whether a direction across an edge is between the normals of its triangles, at an edge that points outwards.
+/// Whether a direction across an edge is between the normals of its triangles, at an edge that points outwards, and the
+/// opposite one is into the solid.
 bool pointsOut(const std::array<Vector3d, 2>& normals, const Vector3d& edge, const Vector3d& direction) {
   return normals[0].cross(normals[1]).dot(edge) > 0 && normals[0].cross(direction).dot(edge) >= 0 &&
-         direction.cross(normals[1]).dot(edge) >= 0;
+         direction.cross(normals[1]).dot(edge) >= 0 && normals[0].dot(direction) >= 0 && normals[1].dot(direction) >= 0;
 }
 
 }  // namespace

@@ -23,9 +23,14 @@ using Eigen::Vector3d;
 constexpr double besideByRounding = 1e-10;
 /// Distances that differ by no more are one, relative.
 constexpr double sameDistance = 1e-12;
-/// Of a node beside an edge behind which the surface turns away: how far it may be beside over how far it is away, to
-/// be held still.
-constexpr double beside = 0.5;
+/// Cosine by which normals are against one another, at least, for one face to see another: rims that are flush do not,
+/// bent by up to 17 degrees.
+constexpr double against = 0.3;
+/// Of a node beside a rim that is flush with its own: how far it may be outside over how far it is below, to be held
+/// still.
+constexpr double beside = 0.1;
+/// Cosine of the angle by which the surface turns at an edge up to which both sides of it are one face.
+constexpr double oneFace = 0.5;
 /// Of the mean edge: what nodes may move against one another until the lists are made again.
 constexpr double skinOfEdge = 0.4;
 /// Sine of the angle of a triangle below which it counts as its edges.
@@ -89,14 +94,27 @@ SurfaceContact surfaceContact(const Mesh& mesh, std::vector<std::int32_t> nodes,
                        [&](std::int32_t node) { return std::binary_search(surface.begin(), surface.end(), node); });
   };
   std::vector<std::vector<std::array<std::int32_t, 2>>> fan(mesh.nodeCount());
+  std::vector<double> nodeDepth(mesh.nodeCount(), infinity);
+  std::vector<char> corner(mesh.nodeCount(), 0);
   for (const SurfaceTriangle& triangle : all) {
     const auto& at = triangle.nodes;
-    for (int i = 0; i < 3; ++i) fan[at[i]].push_back({at[(i + 1) % 3], at[(i + 2) % 3]});
+    const double depth = 0.5 * heightBehind(mesh, triangle);
+    for (int i = 0; i < 3; ++i) {
+      fan[at[i]].push_back({at[(i + 1) % 3], at[(i + 2) % 3]});
+      const Vector3d b = mesh.X.col(at[(i + 1) % 3]), c = mesh.X.col(at[(i + 2) % 3]);
+      const double height = (b - mesh.X.col(at[i])).cross(c - b).norm() / (c - b).norm();
+      nodeDepth[at[i]] = std::min({nodeDepth[at[i]], depth, 0.5 * height});
+    }
     if (!isTouched(at)) continue;
     contact.triangles.push_back(at);
-    contact.depth.push_back(0.5 * heightBehind(mesh, triangle));
+    contact.depth.push_back(depth);
+    for (const std::int32_t node : at) corner[node] = 1;
   }
   if (contact.triangles.empty()) throw InputError("no face of the surface has all of its corners among the nodes");
+  for (const SurfaceTriangle& triangle : all) {
+    const auto& at = triangle.nodes;
+    if ((corner[at[0]] || corner[at[1]] || corner[at[2]]) && !isTouched(at)) contact.around.push_back(at);
+  }
   const CompressedRows<std::int32_t> neighbours = nodeNeighbours(mesh);
   contact.nodes = std::move(nodes);
   contact.split.assign(contact.nodes.size(), 1);
@@ -105,6 +123,7 @@ SurfaceContact surfaceContact(const Mesh& mesh, std::vector<std::int32_t> nodes,
     const auto& own = fan[node];
     contact.fan.values.insert(contact.fan.values.end(), own.begin(), own.end());
     contact.fan.offsets.push_back(contact.fan.values.size());
+    contact.nodeDepth.push_back(nodeDepth[node]);
     const auto near = neighbours.row(node);
     contact.neighbours.values.insert(contact.neighbours.values.end(), near.begin(), near.end());
     contact.neighbours.offsets.push_back(contact.neighbours.values.size());
@@ -144,8 +163,8 @@ SurfaceSearch::SurfaceSearch(SurfaceContact contact, std::int32_t nodeCount) : c
   if (contact_.penalty.size() != count || contact_.damping.size() != count || contact_.split.size() != count ||
       contact_.fan.rowCount() != count || contact_.neighbours.rowCount() != count)
     throw InputError("surface contact: a penalty, a damping, a split and its rows are needed for each node");
-  if (contact_.depth.size() != contact_.triangles.size())
-    throw InputError("surface contact: a depth is needed for each triangle");
+  if (contact_.depth.size() != contact_.triangles.size() || contact_.nodeDepth.size() != count)
+    throw InputError("surface contact: a depth is needed for each triangle and each node");
   const auto require = [](const char* name, const std::vector<double>& values, bool positive) {
     for (const double value : values)
       if (!(positive ? value > 0 : value >= 0) || !std::isfinite(value))
@@ -157,7 +176,11 @@ SurfaceSearch::SurfaceSearch(SurfaceContact contact, std::int32_t nodeCount) : c
   require("friction", {contact_.friction}, false);
   requireSlip(contact_.friction, contact_.slip);
   nodes_ = contact_.nodes;
-  for (const auto& triangle : contact_.triangles) nodes_.insert(nodes_.end(), triangle.begin(), triangle.end());
+  const auto triangleCount = static_cast<std::int32_t>(contact_.triangles.size() + contact_.around.size());
+  for (std::int32_t t = 0; t < triangleCount; ++t) {
+    const auto& corners = cornersOf(t);
+    nodes_.insert(nodes_.end(), corners.begin(), corners.end());
+  }
   for (const SurfaceContact::Edge& edge : contact_.edges) {
     require("penalty", {edge.penalty}, false);
     require("damping", {edge.damping}, false);
@@ -174,29 +197,21 @@ SurfaceSearch::SurfaceSearch(SurfaceContact contact, std::int32_t nodeCount) : c
   if (!nodes_.empty() && (nodes_.front() < 0 || nodes_.back() >= nodeCount))
     throw InputError(
         joinText("node ", nodes_.front() < 0 ? nodes_.front() : nodes_.back(), ": must be one of ", nodeCount));
-  for (const double depth : contact_.depth) deepest_ = std::max(deepest_, depth);
-  // The other sides of edges, and the triangles at corners.
-  std::map<std::array<std::int32_t, 2>, std::int32_t> edges;
+  const auto most = [](const std::vector<double>& values) {
+    return values.empty() ? 0 : *std::max_element(values.begin(), values.end());
+  };
+  deepest_ = std::min(most(contact_.depth), most(contact_.nodeDepth));
   cornerPlace_.assign(nodeCount, -1);
   std::vector<std::vector<std::int32_t>> at;
-  for (std::size_t t = 0; t < contact_.triangles.size(); ++t)
-    for (int i = 0; i < 3; ++i) {
-      const std::int32_t corner = contact_.triangles[t][i];
-      edges[{corner, contact_.triangles[t][(i + 1) % 3]}] = static_cast<std::int32_t>(t);
+  for (std::int32_t t = 0; t < triangleCount; ++t)
+    for (const std::int32_t corner : cornersOf(t)) {
       if (cornerPlace_[corner] < 0) {
         cornerPlace_[corner] = static_cast<std::int32_t>(at.size());
         at.emplace_back();
       }
-      at[cornerPlace_[corner]].push_back(static_cast<std::int32_t>(t));
+      at[cornerPlace_[corner]].push_back(t);
     }
   trianglesAt_ = rowsOf(at);
-  for (const auto& triangle : contact_.triangles) {
-    auto& across = across_.emplace_back();
-    for (int i = 0; i < 3; ++i) {
-      const auto other = edges.find({triangle[(i + 1) % 3], triangle[i]});
-      across[i] = other == edges.end() ? -1 : other->second;
-    }
-  }
 }
 
 SurfaceSearch::Closest SurfaceSearch::closestPoint(const Vector3d& s, const Vector3d& a, const Vector3d& b,
@@ -272,12 +287,12 @@ void SurfaceSearch::makeLists(NodeVectorsView x, double reach, int threads) {
     skin_ = skinOfEdge * sum / (2 * static_cast<double>(contact_.triangles.size()));
   }
   listed_ = deepest_ + 2 * reach + skin_;
-  const std::size_t count = contact_.triangles.size();
+  const std::size_t count = contact_.triangles.size() + contact_.around.size();
   std::vector<TriangleBox> boxes(count);
   std::vector<int> numbers(count);
   extent_ = 0;
   for (std::size_t t = 0; t < count; ++t) {
-    for (const std::int32_t node : contact_.triangles[t]) boxes[t].extend(Vector3d(x.col(node)));
+    for (const std::int32_t node : cornersOf(static_cast<std::int32_t>(t))) boxes[t].extend(Vector3d(x.col(node)));
     extent_ = std::max(extent_, boxes[t].sizes().maxCoeff());
     numbers[t] = static_cast<int>(t);
   }
@@ -309,7 +324,7 @@ void SurfaceSearch::makeLists(NodeVectorsView x, double reach, int threads) {
         };
         mark(1);
         std::erase_if(found[k], [&](std::int32_t t) {
-          const auto& corners = contact_.triangles[t];
+          const auto& corners = cornersOf(t);
           return own[corners[0]] || own[corners[1]] || own[corners[2]];
         });
         mark(0);
@@ -333,46 +348,39 @@ void SurfaceSearch::makeLists(NodeVectorsView x, double reach, int threads) {
   makeEdgeLists(x, threads);
 }
 
-Vector3d SurfaceSearch::normalAt(NodeVectorsView x, std::int32_t entry) const {
+void SurfaceSearch::normalsAt(NodeVectorsView x, std::int32_t entry, std::vector<Vector3d>& normals) const {
   const Vector3d s = x.col(contact_.nodes[entry]);
-  Vector3d normal = Vector3d::Zero();
-  for (const auto& [b, c] : contact_.fan.row(entry)) normal += (x.col(b) - s).cross(x.col(c) - s);
-  return normal;
+  normals.assign(1, Vector3d::Zero());
+  for (const auto& [b, c] : contact_.fan.row(entry)) {
+    normals.push_back((x.col(b) - s).cross(x.col(c) - s));
+    normals[0] += normals.back();
+  }
+  for (Vector3d& normal : normals) normal.normalize();
 }
 
-/// Whether the node is on the solid's side of all the surface around the closest point, to the share `beside`.
-bool SurfaceSearch::behind(NodeVectorsView x, std::int32_t triangle, const Closest& closest) const {
-  const Vector3d& r = closest.r;
-  if (closest.free == 2) return r.dot(closest.normal) < 0;
-  const double allowed = beside * std::sqrt(closest.distance2);
-  bool any = false;
-  const auto test = [&](const Vector3d& normal) {
-    const double out = r.dot(normal), length = normal.norm();
-    any = any || out < 0;
-    return out <= allowed * length;
-  };
-  const auto normalOf = [&](std::int32_t t) {
-    const auto& at = contact_.triangles[t];
-    return Vector3d((x.col(at[1]) - x.col(at[0])).cross(x.col(at[2]) - x.col(at[0])));
-  };
-  // Where the surface ends, it is as if it went on at a right angle.
-  const auto testEdge = [&](std::int32_t t, int i) {
-    const std::int32_t other = across_[t][i];
-    if (other >= 0) return test(normalOf(other));
-    const auto& at = contact_.triangles[t];
-    const Vector3d edge = x.col(at[(i + 1) % 3]) - x.col(at[i]);
-    const Vector3d out = edge.cross(normalOf(t));
-    return r.dot(out) <= allowed * out.norm();
-  };
-  if (!test(closest.normal)) return false;
-  if (closest.free == 1) return testEdge(triangle, closest.corner) && any;
-  const std::int32_t corner = contact_.triangles[triangle][closest.corner];
+/// Whether the node is on the solid's side of the surface at the closest point: by the sum of the normals there, each
+/// with its triangle's angle (Bærentzen and Aanæs, IEEE Transactions on Visualization and Computer Graphics 11, 2005).
+/// No where that point is nearest among some of the triangles of one face alone.
+bool SurfaceSearch::behind(NodeVectorsView x, const Vector3d& s, std::int32_t triangle, const Closest& closest) const {
+  if (closest.free == 2) return closest.r.dot(closest.normal) < 0;
+  const auto& own = cornersOf(triangle);
+  const std::int32_t corner = own[closest.corner], end = own[(closest.corner + 1) % 3];
+  Vector3d outward = Vector3d::Zero();
   for (const std::int32_t t : trianglesAt_.row(cornerPlace_[corner])) {
-    if (!test(normalOf(t))) return false;
-    for (int i = 0; i < 3; ++i)
-      if (contact_.triangles[t][i] == corner && (!testEdge(t, i) || !testEdge(t, (i + 2) % 3))) return false;
+    const auto& at = cornersOf(t);
+    const auto i = std::find(at.begin(), at.end(), corner) - at.begin();
+    const std::int32_t next = at[(i + 1) % 3], last = at[(i + 2) % 3];
+    if (closest.free == 1 && next != end && last != end) continue;
+    const Vector3d origin = x.col(corner), e1 = x.col(next) - origin, e2 = x.col(last) - origin;
+    const Vector3d normal = e1.cross(e2);
+    const double area = normal.norm();
+    if (!(area > 0)) continue;
+    outward += (closest.free == 1 ? 1 : std::atan2(area, e1.dot(e2))) / area * normal;
+    if (normal.dot(closest.normal) > oneFace * area * closest.normal.norm() &&
+        closestPoint(s, origin, x.col(next), x.col(last)).distance2 < (1 - sameDistance) * closest.distance2)
+      return false;
   }
-  return any;
+  return closest.r.dot(outward) < 0;
 }
 
 void SurfaceSearch::addTouch(NodeVectorsView x, std::int32_t entry, std::int32_t triangle, const Closest& closest,
@@ -405,22 +413,23 @@ void SurfaceSearch::look(NodeVectorsView x, std::size_t row, double reach, Found
   const Vector3d s = x.col(node);
   const std::size_t first = candidates_.offsets[row];
   const auto candidates = candidates_.row(row);
-  Vector3d own = Vector3d::Zero();
-  bool ownKnown = false;
+  thread_local std::vector<Vector3d> own;
+  own.clear();
   const auto closestTo = [&](std::int32_t i) {
-    const auto& at = contact_.triangles[candidates[i]];
+    const auto& at = cornersOf(candidates[i]);
     const Closest closest = closestPoint(s, x.col(at[0]), x.col(at[1]), x.col(at[2]));
     until_[first + i] = std::sqrt(closest.distance2) + from;
     ++result.pairs;
     return closest;
   };
+  const auto sees = [&](const Vector3d& direction, double cosine) {
+    const double most = -cosine * direction.norm();
+    return std::ranges::any_of(own, [&](const Vector3d& normal) { return normal.dot(direction) < most; });
+  };
   const auto counts = [&](const Closest& closest) {
     if (!(closest.distance2 <= cutoff * cutoff)) return false;
-    if (!ownKnown) {
-      own = normalAt(x, entry);
-      ownKnown = true;
-    }
-    return own.dot(closest.normal) < 0;
+    if (own.empty()) normalsAt(x, entry, own);
+    return sees(closest.normal, against);
   };
   // The one that was nearest last tells which of the others can be nearest, or as near to within twice the reach.
   double limit = cutoff;
@@ -436,6 +445,12 @@ void SurfaceSearch::look(NodeVectorsView x, std::size_t row, double reach, Found
   thread_local std::vector<Candidate> found;
   found.clear();
   int best = -1;
+  Candidate nearestOfAll{-1, {}};
+  // Of the same distance, a face before an edge before a corner, whose tangents are those of kinks.
+  const auto isNearer = [](const Closest& one, const Closest& known) {
+    return one.distance2 < (1 - sameDistance) * known.distance2 ||
+           (one.distance2 <= (1 + sameDistance) * known.distance2 && one.free > known.free);
+  };
   // Without a branch: most wait.
   thread_local std::vector<std::int32_t> chosen;
   chosen.resize(candidates.size());
@@ -452,32 +467,34 @@ void SurfaceSearch::look(NodeVectorsView x, std::size_t row, double reach, Found
     const std::int32_t i = chosen[n];
     const Closest closest = last && i == rowNearest_[row] ? *last : closestTo(i);
     until = std::min(until, until_[first + i]);
+    if (nearestOfAll.i < 0 || isNearer(closest, nearestOfAll.closest)) nearestOfAll = {i, closest};
     if (!counts(closest)) continue;
     found.push_back({i, closest});
-    if (best < 0) {
-      best = 0;
-      continue;
-    }
-    // Of the same distance, a face before an edge before a corner, whose tangents are those of kinks.
-    const Closest& known = found[best].closest;
-    if (closest.distance2 < (1 - sameDistance) * known.distance2 ||
-        (closest.distance2 <= (1 + sameDistance) * known.distance2 && closest.free > known.free))
-      best = static_cast<int>(found.size()) - 1;
+    if (best < 0 || isNearer(closest, found[best].closest)) best = static_cast<int>(found.size()) - 1;
   }
   rowUntil_[row] = until;
   rowNearest_[row] = best < 0 ? -1 : found[best].i;
   if (best < 0) return;
-  const double least = std::sqrt(found[best].closest.distance2);
+  const Closest &inFront = nearestOfAll.closest, &seen = found[best].closest;
+  const double least = std::sqrt(seen.distance2);
   const std::int32_t nearest = candidates[found[best].i];
-  const bool touches = least > 0 && least <= contact_.depth[nearest] && behind(x, nearest, found[best].closest);
-  if (touches) addTouch(x, entry, nearest, found[best].closest, result.touching);
+  const auto touched = static_cast<std::int32_t>(contact_.triangles.size());
+  const auto depthOf = [&](std::int32_t t) { return std::min(contact_.depth[t], contact_.nodeDepth[entry]); };
+  // In front of a face that it does not see it is outside, or beside a rim, with its own solid between.
+  const auto isBeside = [&] {
+    return seen.free < 2 && inFront.distance2 < beside * beside * seen.distance2 && !sees(inFront.r, 0.5 * against);
+  };
+  const bool touches = nearest < touched && least > 0 && least <= depthOf(nearest) && behind(x, s, nearest, seen) &&
+                       (!(inFront.distance2 < (1 - sameDistance) * seen.distance2) || isBeside() ||
+                        behind(x, s, candidates[nearestOfAll.i], inFront));
+  if (touches) addTouch(x, entry, nearest, seen, result.touching);
   for (std::size_t i = 0; i < found.size(); ++i) {
     const Closest& closest = found[i].closest;
     const std::int32_t t = candidates[found[i].i];
+    if (t >= touched) continue;
     const double distance = std::sqrt(closest.distance2);
     const bool isBehind = closest.r.dot(closest.normal) < 0, touchesThis = touches && static_cast<int>(i) == best;
-    if (!touchesThis &&
-        (!(distance <= least + 2 * reach) || !(distance <= (isBehind ? contact_.depth[t] + reach : reach))))
+    if (!touchesThis && (!(distance <= least + 2 * reach) || !(distance <= (isBehind ? depthOf(t) + reach : reach))))
       continue;
     Near one{entry, t, isBehind ? distance : 0, {}};
     const double wander = std::sqrt((distance + 2 * reach) * (distance + 2 * reach) - closest.distance2);

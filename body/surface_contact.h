@@ -30,9 +30,10 @@ void requireSlip(double friction, const SlipSpeed& slip);
 /// A node that is behind the surface, in its nearest triangle's solid, has the energy k d²/2, d its distance from that
 /// triangle. So k r acts between the node and the closest point, r from the point to the node; on the corners it acts
 /// by the point's barycentric weights w. Nearest is counted among triangles that share no element with the node and
-/// whose normals are against that of the surface at the node. A node deeper than `depth` of the triangle is not held.
-/// Viscous damping and friction act on the velocity of the node against that of the point, as in PenaltyContact. Forces
-/// sum to zero; friction's moment is not balanced, by the depth times the force.
+/// that the surface at the node faces. A node deeper than `depth` of the triangle or its own `nodeDepth` is not held,
+/// so that one that is outside of the solid is never taken for one that has come into it (Theorem 53). Viscous damping
+/// and friction act on the velocity of the node against that of the point, as in PenaltyContact. Forces sum to zero;
+/// friction's moment is not balanced, by the depth times the force.
 ///
 /// Edges of the surface push each other away, too, where some are given: two that have gone through one another have
 /// the same energy of their distance, and the force acts between their closest points, each on the two ends of its
@@ -49,6 +50,9 @@ struct SurfaceContact {
 
   std::vector<std::array<std::int32_t, 3>> triangles;  ///< corners, counter-clockwise as seen from outside
   std::vector<double> depth;                           ///< m, of each triangle
+  std::vector<double> nodeDepth;                       ///< m, of each node
+  /// Triangles next to those, with a corner of theirs: a node that is nearest to one of them touches nothing.
+  std::vector<std::array<std::int32_t, 3>> around;
   /// A row a node: pairs of corners behind one another, of the triangles of the surface at the node, which may be
   /// others.
   CompressedRows<std::array<std::int32_t, 2>> fan;
@@ -74,9 +78,10 @@ struct SurfaceContact {
 };
 
 /// Of nodes of a mesh's surface and the triangles of its surface whose corners are all among `surface`, both ascending;
-/// depth is half of the height of the element behind a triangle at rest. Penalties and the rest are left empty, θ is 1.
-/// With an angle, radians, edges at which the surface turns outwards by more than that at rest.
-/// Throws InputError for nodes that are not of the surface, and where there is no triangle.
+/// depth is half of the height of the element behind a triangle at rest, nodeDepth half of the least height at the
+/// node, of such elements and of the triangles. Penalties and the rest are left empty, θ is 1. With an angle, radians,
+/// edges at which the surface turns outwards by more than that at rest. Throws InputError for nodes that are not of the
+/// surface, and where there is no triangle.
 SurfaceContact surfaceContact(const Mesh& mesh, std::vector<std::int32_t> nodes,
                               const std::vector<std::int32_t>& surface, std::optional<double> edgeAngle = {});
 
@@ -196,15 +201,19 @@ class SurfaceSearch {
   void look(NodeVectorsView x, std::size_t row, double reach, Found& found);
   void addTouch(NodeVectorsView x, std::int32_t entry, std::int32_t triangle, const Closest& closest,
                 std::vector<Touch>& touching) const;
-  bool behind(NodeVectorsView x, std::int32_t triangle, const Closest& closest) const;
-  Eigen::Vector3d normalAt(NodeVectorsView x, std::int32_t entry) const;
+  const std::array<std::int32_t, 3>& cornersOf(std::int32_t triangle) const {
+    const auto touched = static_cast<std::int32_t>(contact_.triangles.size());
+    return triangle < touched ? contact_.triangles[triangle] : contact_.around[triangle - touched];
+  }
+  bool behind(NodeVectorsView x, const Eigen::Vector3d& s, std::int32_t triangle, const Closest& closest) const;
+  /// Unit normals of the surface at a node: of all of it, and of each triangle.
+  void normalsAt(NodeVectorsView x, std::int32_t entry, std::vector<Eigen::Vector3d>& normals) const;
 
   SurfaceContact contact_;
   std::vector<std::int32_t> nodes_;
-  std::vector<std::array<std::int32_t, 3>>
-      across_;                                // the triangle on the other side of the edge behind each corner, -1
-  std::vector<std::int32_t> cornerPlace_;     // by node: its row of at_corner_, -1
-  CompressedRows<std::int32_t> trianglesAt_;  // a row a corner
+  // Triangles are numbered on from contact_.triangles to contact_.around.
+  std::vector<std::int32_t> cornerPlace_;            // by node: its row of trianglesAt_, -1
+  CompressedRows<std::int32_t> trianglesAt_;         // a row a corner
   double deepest_ = 0, deepestEdge_ = 0, skin_ = 0;  // m
 
   // Lists of triangles within listed_ of nodes when motion_ was started, which count below listed_ - rounding_.

@@ -238,6 +238,7 @@ TEST(SurfaceContact, MajorantsOfRandomPairsHold) {
     contact.damping.assign(4, random.uniform(0, 1));
     contact.split.assign(4, std::exp(random.uniform(-2, 2)));
     contact.depth.assign(4, 1);
+    contact.nodeDepth.assign(4, 1);
     DiscreteForces forces(8);
     forces.add(std::move(contact));
     forces.setDampingFactor(random.uniform(0, 1));
@@ -405,10 +406,16 @@ TEST(SurfaceContact, MissesNothingAlongRandomMotions) {
       std::size_t next = 0;
       for (std::size_t k = 0; k < contact.nodes.size(); ++k) {
         const std::int32_t node = contact.nodes[k];
-        Vector3d own = Vector3d::Zero();
-        for (const auto& [b, c] : contact.fan.row(k)) own += (x.col(b) - x.col(node)).cross(x.col(c) - x.col(node));
+        std::vector<Vector3d> own{Vector3d::Zero()};
+        for (const auto& [b, c] : contact.fan.row(k)) {
+          own.push_back((x.col(b) - x.col(node)).cross(x.col(c) - x.col(node)));
+          own[0] += own.back();
+        }
         double least = 1, second = 1, side = 0, depth = 0;
         bool face = false;
+        // Of all, seen or not: in front of one that is nearer the node is outside.
+        double leastOfAll = 1, sideOfAll = 0;
+        bool faceOfAll = false;
         for (std::size_t t = 0; t < contact.triangles.size(); ++t) {
           const auto& at = contact.triangles[t];
           const auto near = contact.neighbours.row(k);
@@ -417,15 +424,23 @@ TEST(SurfaceContact, MissesNothingAlongRandomMotions) {
               }))
             continue;
           const Vector3d a = x.col(at[0]), normal = (x.col(at[1]) - a).cross(x.col(at[2]) - a);
-          if (!(own.dot(normal) < 0)) continue;
           bool inside = false;
           const double distance = std::sqrt(distanceByRegions(x.col(node), a, x.col(at[1]), x.col(at[2]), inside));
+          if (distance < leastOfAll) {
+            leastOfAll = distance;
+            faceOfAll = inside;
+            sideOfAll = normal.dot(x.col(node) - a);
+          }
+          // Seen by the node's normal, or by that of a face at it.
+          double most = 1;
+          for (const Vector3d& one : own) most = std::min(most, one.normalized().dot(normal.normalized()));
+          if (!(most < -0.3)) continue;
           if (distance < least) {
             second = least;
             least = distance;
             face = inside;
             side = normal.dot(x.col(node) - a);
-            depth = contact.depth[t];
+            depth = std::min(contact.depth[t], contact.nodeDepth[k]);
           } else {
             second = std::min(second, distance);
           }
@@ -436,7 +451,9 @@ TEST(SurfaceContact, MissesNothingAlongRandomMotions) {
           ++next;
         }
         if (!face || std::abs(least - depth) < 1e-12 || second - least < 1e-12) continue;
-        EXPECT_EQ(found, side < 0 && least <= depth) << seed << " " << step << " node " << node;
+        if (leastOfAll < least - 1e-12 && !faceOfAll) continue;
+        const bool outside = leastOfAll < least - 1e-12 && sideOfAll > 0;
+        EXPECT_EQ(found, side < 0 && least <= depth && !outside) << seed << " " << step << " node " << node;
         expected += found;
       }
       EXPECT_EQ(next, kept.touching().size());
@@ -524,12 +541,182 @@ TEST(SurfaceContact, HoldsWhatIsBehindAFaceAndNothingBesideIt) {
   EXPECT_EQ(touching({0, 0, 0.01}).touching, 0);
   EXPECT_EQ(touching({0, 0, -0.01}).touching, 4);
   EXPECT_NEAR(touching({0.013, 0.027, -0.01}).deepest, 0.01, 1e-15);
-  EXPECT_EQ(touching({0.5, 0, -0.01}).touching, 2);    // two nodes hang over the edge
-  EXPECT_EQ(touching({0.302, 0, -0.01}).touching, 4);  // by less than half of their depth: still held
-  EXPECT_EQ(touching({0.31, 0, -0.01}).touching, 2);
+  EXPECT_EQ(touching({0.5, 0, -0.01}).touching, 2);     // two nodes hang over the edge
+  EXPECT_EQ(touching({0.3009, 0, -0.01}).touching, 4);  // by less than a tenth of their depth: still held
+  EXPECT_EQ(touching({0.302, 0, -0.01}).touching, 2);
   EXPECT_EQ(touching({0, 0, -0.12}).touching, 4);
   EXPECT_EQ(touching({0, 0, -0.13}).touching, 0);  // deeper than half an element: gone through
   EXPECT_EQ(touching({2, 0, -0.01}).touching, 0);
+}
+
+/// A convex body: its nodes, outward directions of faces and of edges.
+struct Convex {
+  NodeVectors x;
+  std::vector<Vector3d> normals, edges;
+};
+/// The largest distance of two convex bodies along a direction that parts them (separating axes), and that direction,
+/// from the first to the second; negative where they overlap.
+std::pair<double, Vector3d> partedBy(const Convex& a, const Convex& b) {
+  std::vector<Vector3d> axes = a.normals;
+  axes.insert(axes.end(), b.normals.begin(), b.normals.end());
+  for (const Vector3d& one : a.edges)
+    for (const Vector3d& other : b.edges)
+      if (one.cross(other).norm() > 1e-6 * one.norm() * other.norm()) axes.push_back(one.cross(other));
+  std::pair<double, Vector3d> best{-1e300, Vector3d::Zero()};
+  for (const Vector3d& axis : axes)
+    for (const double sign : {-1.0, 1.0}) {
+      const Vector3d along = sign * axis.normalized();
+      const double apart = (along.transpose() * b.x).minCoeff() - (along.transpose() * a.x).maxCoeff();
+      if (apart > best.first) best = {apart, along};
+    }
+  return best;
+}
+Convex convexOf(const NodeVectors& x, const Mesh& mesh, const std::vector<std::int32_t>& nodes) {
+  Convex body{x(Eigen::all, nodes), {}, {}};
+  for (const SurfaceTriangle& t : surfaceTriangles(mesh)) {
+    if (!std::binary_search(nodes.begin(), nodes.end(), t.nodes[0])) continue;
+    const Vector3d a = x.col(t.nodes[0]), b = x.col(t.nodes[1]), c = x.col(t.nodes[2]);
+    const std::array<Vector3d, 3> edges{b - a, c - b, a - c};
+    const auto add = [](std::vector<Vector3d>& directions, const Vector3d& own) {
+      if (std::ranges::none_of(directions, [&](const Vector3d& known) {
+            return known.cross(own).norm() < 1e-9 * known.norm() * own.norm();
+          }))
+        directions.push_back(own);
+    };
+    add(body.normals, edges[0].cross(edges[1]));
+    for (const Vector3d& edge : edges) add(body.edges, edge);
+  }
+  return body;
+}
+
+/// Contact of all of two parts, and of one part with the faces of the other all of whose corners are selected.
+std::vector<SurfaceContact> everyContact(const Mesh& mesh, const std::vector<std::int32_t>& first,
+                                         const std::vector<std::int32_t>& second,
+                                         const std::vector<std::int32_t>& someOfFirst) {
+  std::vector<SurfaceContact> contacts;
+  const std::vector<std::int32_t> surface = surfaceNodes(mesh);
+  const auto add = [&](const std::vector<std::int32_t>& nodes, const std::vector<std::int32_t>& to, bool edges) {
+    std::vector<std::int32_t> own;
+    std::set_intersection(surface.begin(), surface.end(), nodes.begin(), nodes.end(), std::back_inserter(own));
+    contacts.push_back(surfaceContact(mesh, own, to, edges ? std::optional(0.35) : std::nullopt));
+    contacts.back().penalty.assign(own.size(), 1);
+    contacts.back().damping.assign(own.size(), 0);
+    for (SurfaceContact::Edge& edge : contacts.back().edges) edge.penalty = 1;
+  };
+  add(surface, surface, true);
+  if (!first.empty()) add(second, first, false);
+  if (!someOfFirst.empty()) add(second, someOfFirst, false);
+  return contacts;
+}
+std::size_t touchesOf(const Mesh& mesh, const std::vector<SurfaceContact>& contacts, const NodeVectors& x) {
+  std::size_t touches = 0;
+  for (const SurfaceContact& contact : contacts) {
+    SurfaceSearch search(contact, static_cast<std::int32_t>(mesh.nodeCount()));
+    search.locate(x, 0, 1);
+    touches += search.touching().size();
+  }
+  return touches;
+}
+
+// Boxes of any proportions and cells, coarse against fine, above, beside and at the rim of one another, flush or
+// turned, that a plane parts: nothing touches, by separating axes (Gottschalk, Lin and Manocha, 1996).
+TEST(SurfaceContact, BoxesThatAPlanePartsDoNotTouch) {
+  std::size_t touched = 0;
+  int flush = 0;
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    test::Random random(seed);
+    StackOptions options;
+    options.lower.element = random.index(2) == 0 ? "hex8" : "tet4";
+    for (int i = 0; i < 3; ++i) {
+      options.lower.size[i] = std::exp(random.uniform(-1.6, 1.6));
+      options.lower.cells[i] = 1 + static_cast<int>(random.index(3));
+      options.upperSize[i] = std::exp(random.uniform(-1.6, 1.6));
+      options.upperCells[i] = 1 + static_cast<int>(random.index(4));
+    }
+    const Mesh mesh = generateStack(options);
+    const auto &lower = mesh.nodeSets.at("lower"), &upper = mesh.nodeSets.at("upper");
+    NodeVectors x = mesh.X;
+    const Vector3d middle = x(Eigen::all, upper).rowwise().mean();
+    const Matrix3d turn = random.index(2) == 0 ? random.rotation() : Matrix3d::Identity();
+    Vector3d shift = random.vector(1);
+    for (int i = 0; i < 3; ++i) {
+      shift[i] *= 0.5 * (options.lower.size[i] + options.upperSize[i]);
+      // A face of the one in the plane of a face of the other.
+      if (random.index(3) == 0) {
+        shift[i] = (random.index(2) == 0 ? 0.5 : -0.5) * (options.lower.size[i] - options.upperSize[i]);
+        ++flush;
+      }
+    }
+    const Vector3d centre = x(Eigen::all, lower).rowwise().mean();
+    for (const std::int32_t node : upper) x.col(node) = turn * (x.col(node) - middle) + centre + shift;
+    const auto [apart, along] = partedBy(convexOf(x, mesh, lower), convexOf(x, mesh, upper));
+    const double gap = std::exp(random.uniform(-9, -0.5));
+    if (apart < gap)
+      for (const std::int32_t node : upper) x.col(node) += (gap - apart) * along;
+    if (random.index(2) == 0) x = random.rotation() * x;
+    const std::size_t own = touchesOf(mesh, everyContact(mesh, lower, upper, mesh.nodeSets.at("lower z-max")), x);
+    EXPECT_EQ(own, 0U) << seed << ", parted by " << std::max(apart, gap);
+    touched += own;
+  }
+  EXPECT_EQ(touched, 0U);
+  EXPECT_GT(flush, 200);
+}
+
+// The same of sharp bodies: two tetrahedra of any shape.
+TEST(SurfaceContact, TetrahedraThatAPlanePartsDoNotTouch) {
+  Mesh mesh;
+  mesh.blocks.push_back({findElementByName("tet4")->type, {0, 1, 2, 3, 4, 5, 6, 7}, {}});
+  const std::vector<std::int32_t> first{0, 1, 2, 3}, second{4, 5, 6, 7};
+  for (std::uint64_t seed = 1; seed <= 4000; ++seed) {
+    test::Random random(seed);
+    mesh.X = random.nodeVectors(8, 1);
+    mesh.X.rightCols(4) *= std::exp(random.uniform(-2, 1));
+    for (int e = 0; e < 2; ++e) {
+      Matrix3d J;
+      for (int i = 0; i < 3; ++i) J.col(i) = mesh.X.col(4 * e + 1 + i) - mesh.X.col(4 * e);
+      if (J.determinant() < 0) mesh.X.col(4 * e + 1).swap(mesh.X.col(4 * e + 2));
+    }
+    const auto [apart, along] = partedBy(convexOf(mesh.X, mesh, first), convexOf(mesh.X, mesh, second));
+    const double gap = std::exp(random.uniform(-9, -0.5));
+    if (apart < gap) mesh.X.rightCols(4).colwise() += (gap - apart) * along;
+    EXPECT_EQ(touchesOf(mesh, everyContact(mesh, first, second, {}), mesh.X), 0U) << seed;
+  }
+}
+
+// A body at rest does not touch itself: L-shapes, channels and boxes with a slot, of cells of any proportions, turned.
+TEST(SurfaceContact, ABodyAtRestDoesNotTouchItself) {
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    test::Random random(seed);
+    const test::Cells cells{4 + static_cast<int>(random.index(4)), 1 + static_cast<int>(random.index(3)),
+                            4 + static_cast<int>(random.index(4))};
+    Mesh mesh = test::gridMesh(random.index(2) == 0 ? "hex8" : "tet4", cells, {1, 1, 1});
+    // Cells that are taken out: a corner, a channel along y from above, or a slot within.
+    const auto kind = random.index(3);
+    const double from = kind == 0 ? 0 : 1.0 / cells[0],
+                 to = from + static_cast<double>(1 + random.index(cells[0] - 2)) / cells[0],
+                 top = kind == 2 ? 1 - 1.0 / cells[2] : 1,
+                 bottom = static_cast<double>(1 + random.index(cells[2] - 2)) / cells[2];
+    MeshBlock& block = mesh.blocks[0];
+    std::vector<std::int32_t> kept;
+    const int nodes = block.nodesPerElement();
+    for (std::size_t e = 0; e < block.elementCount(); ++e) {
+      Vector3d middle = Vector3d::Zero();
+      for (int i = 0; i < nodes; ++i) middle += mesh.X.col(block.element(e)[i]) / nodes;
+      if (middle[0] > from && middle[0] < to && middle[2] > bottom && middle[2] < top) continue;
+      kept.insert(kept.end(), block.element(e), block.element(e) + nodes);
+    }
+    block.connectivity = kept;
+    block.ids.clear();
+    // Planes of nodes at any distance from one another.
+    for (int i = 0; i < 3; ++i) {
+      std::vector<double> at(cells[i] + 1);
+      for (int k = 0; k < cells[i]; ++k) at[k + 1] = at[k] + std::exp(random.uniform(-1.5, 1.5));
+      for (Eigen::Index n = 0; n < mesh.X.cols(); ++n)
+        mesh.X(i, n) = at[static_cast<std::size_t>(std::lround(mesh.X(i, n) * cells[i]))];
+    }
+    mesh.X = (random.rotation() * mesh.X).eval();
+    EXPECT_EQ(touchesOf(mesh, everyContact(mesh, {}, surfaceNodes(mesh), {}), mesh.X), 0U) << seed;
+  }
 }
 
 // Self-contact: a strip bent into a ring, whose ends come together.
