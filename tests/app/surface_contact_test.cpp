@@ -144,6 +144,35 @@ TEST_F(SurfaceContactRuns, BouncingCubeKeepsItsEnergy) {
     EXPECT_NEAR(tops[k], static_cast<double>(k + 1) * period, 3e-3 * period) << k;
 }
 
+// A small block falls on a coarse plate, in the middle, at the rim and flush with it: nothing touches before √(2 h/g),
+// and some of it has then.
+TEST_F(SurfaceContactRuns, NothingTouchesBeforeItCan) {
+  const double height = 0.002, g = 9.81, meets = std::sqrt(2 * height / g);
+  for (const char* mesh : {"cells = [1, 1, 1]\nupper_cells = [3, 3, 3]\noffset = [1.7, -1.454]\nelement = \"hex8\"\n",
+                           "cells = [3, 3, 2]\nupper_cells = [4, 4, 4]\noffset = [1.7, -1.218]\nelement = \"tet4\"\n",
+                           "cells = [3, 3, 2]\nupper_cells = [3, 3, 3]\noffset = [1.7, -1.053]\nelement = \"hex8\"\n",
+                           "cells = [2, 2, 2]\nupper_cells = [3, 3, 3]\noffset = [1.7, 1.7]\nelement = \"hex8\"\n",
+                           "cells = [2, 2, 2]\nupper_cells = [3, 3, 3]\noffset = [0.3, 1.5]\nelement = \"hex8\"\n"}) {
+    folder_.write("scene.toml",
+                  std::string("[mesh]\ngenerate = \"stack\"\nsize = [4.0, 4.0, 0.8]\nupper_size = [0.6, 0.6, 0.6]\n"
+                              "gap = 0.002\n") +
+                      mesh +
+                      "[material]\nmodel = \"neo-hookean\"\nyoung = 2e8\npoisson = 0.2\ndensity = 2000\n"
+                      "[integrator]\nmethod = \"verlet\"\nstep = 1e-4\nend = 0.02\n[[fix]]\nwhere = \"z < 1e-6\"\n"
+                      "[[force]]\nset = \"upper\"\nacceleration = [0, 0, -9.81]\n[[contact]]\nwith = \"surface\"\n"
+                      "[output]\npicture = false\n");
+    for (const double share : {0.98, 1.05}) {
+      const Outcome outcome = call("run scene.toml --out r --set integrator.end=" + test::digits(share * meets));
+      ASSERT_EQ(outcome.status, 0) << mesh << outcome.out << outcome.err;
+      const Json found = json("r/summary.json")["discrete_forces"];
+      EXPECT_EQ(found["most_touching"].get<int>() > 0, share > 1) << mesh;
+      if (share < 1) continue;
+      // No deeper than without contact.
+      EXPECT_LE(found["deepest"]["depth"].get<double>(), g * meets * meets * 0.06);
+    }
+  }
+}
+
 constexpr const char* softBlocks = R"([mesh]
 generate = "stack"
 size = [0.04, 0.04, 0.02]
