@@ -279,6 +279,61 @@ TEST_F(Contact, APenaltyMadeForTheStepLeavesIt) {
   EXPECT_LT(penalty(near + " --set contact.0.damping=0.2")["least"].get<double>(), 0.9 * free);
 }
 
+// With step "auto" the penalty is made for the safe step of the elements alone, and leaves it.
+TEST_F(Contact, StepAndPenaltyAutoGoTogether) {
+  folder_.write("scene.toml", std::string(block) + "[[contact]]\ndamping = 0.1\nfriction = 0.3\n");
+  folder_.write("free.toml", std::string(block).substr(0, std::string(block).find("[[obstacle]]")) +
+                                 "[[initial]]\nwhere = \"all\"\nvelocity = [0, 0, -0.5]\n[output]\npicture = false\n");
+  const Outcome outcome = call("run scene.toml --out r --set integrator.step=auto");
+  ASSERT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+  const Outcome free = call("run free.toml --out free --set integrator.step=auto");
+  ASSERT_EQ(free.status, 0) << free.out << free.err;
+  const Json with = json("r/summary.json"), without = json("free/summary.json");
+  EXPECT_EQ(with["verdict"], "certified");
+  EXPECT_GT(with["discrete_forces"]["most_touching"].get<int>(), 20);
+  // A node alone for twenty of these steps.
+  const double slow = pi / (20 * without["largest_step"].get<double>());
+  std::vector<std::string> notes;
+  const Scene scene = readScene(folder_.path() / "free.toml");
+  const Body body = sceneBody(scene, sceneMesh(scene, notes), 1);
+  const double least = body.lumpedMass().minCoeff() * slow * slow;
+  EXPECT_NEAR(with["discrete_forces"]["penalty"]["least"].get<double>(), least, 0.3 * least);
+  EXPECT_LT(with["steps"].get<int>(), 1.3 * without["steps"].get<int>());
+}
+
+// The same body in metres and kilograms and in millimetres and tonnes takes the same steps, friction and all.
+TEST_F(Contact, NoDefaultHasADimension) {
+  const std::set<std::string> numbers{"", "degrees", "steps", "edge lengths"};
+  for (const SceneKey& key : sceneKeys())
+    if (!numbers.contains(key.unit) && key.section != "mesh") {
+      EXPECT_EQ(key.fallback.find_first_of("123456789"), std::string::npos) << key.section << "." << key.key;
+    }
+  const std::string of =
+      "[mesh]\ngenerate = \"bar\"\nsize = [LLL, LLL, LLL]\ncells = [3, 3, 3]\n[material]\n"
+      "model = \"neo-hookean\"\nyoung = EEE\npoisson = 0.3\ndensity = RRR\n[integrator]\n"
+      "step = \"auto\"\nend = 1e-4\n[[obstacle]]\nkind = \"plane\"\npoint = [0, 0, PPP]\n"
+      "normal = [0, 0, 1]\n[[initial]]\nwhere = \"all\"\nvelocity = [VVV, 0, -VVV]\n[[contact]]\n"
+      "friction = 0.3\ndamping = 0.1\n[output]\npicture = false\n";
+  std::vector<Json> found;
+  for (const auto& values :
+       {std::map<std::string, std::string>{
+            {"LLL", "0.03"}, {"EEE", "2.1e11"}, {"RRR", "7850"}, {"PPP", "-1e-5"}, {"VVV", "2.0"}},
+        {{"LLL", "30.0"}, {"EEE", "2.1e5"}, {"RRR", "7.85e-9"}, {"PPP", "-1e-2"}, {"VVV", "2e3"}}}) {
+    std::string text = of;
+    for (const auto& [name, value] : values)
+      for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name)) text.replace(at, 3, value);
+    folder_.write("scene.toml", text);
+    const Outcome outcome = call("run scene.toml --out r");
+    ASSERT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+    found.push_back(json("r/summary.json"));
+  }
+  EXPECT_GT(found[0]["discrete_forces"]["most_touching"].get<int>(), 10);
+  EXPECT_EQ(found[0]["steps"], found[1]["steps"]);
+  EXPECT_NEAR(1000 * found[0]["discrete_forces"]["deepest"]["depth"].get<double>(),
+              found[1]["discrete_forces"]["deepest"]["depth"].get<double>(),
+              1e-6 * found[1]["discrete_forces"]["deepest"]["depth"].get<double>());
+}
+
 TEST_F(Contact, SaysWhenContactGovernsAndWhichPenaltyWouldNot) {
   folder_.write("scene.toml", std::string(block) + "[[contact]]\npenalty = 1e5\n");
   const Outcome outcome = call("run scene.toml --out r");
