@@ -9,6 +9,7 @@
 #include <ringwatch/app/command/progress.h>
 #include <ringwatch/app/output/report.h>
 #include <ringwatch/app/scene/scene.h>
+#include <ringwatch/app/scene/scene_features.h>
 #include <ringwatch/app/scene/scene_state.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/nearest_name.h>
@@ -62,7 +63,7 @@ WorkPrecisionRun runHandler(const WorkPrecisionCase& c, const Scene& scene, cons
     auto body = std::make_shared<Body>(sceneBody(scene, mesh, threads));
     auto handler = makeHandler(name, *body, makeIntegrator("verlet"), options);
     handler->prepare(body->mesh().X, step);
-    return PreparedRun{std::move(handler), std::make_unique<BodySystem>(*body), body};
+    return PreparedRun{std::move(handler), std::make_unique<BodySystem>(*body, scene.damping), body};
   });
   run.forces = c.end / run.h;
   return run;
@@ -125,16 +126,10 @@ CompareResult compareScene(const CompareOptions& options) {
     if (!(h > 0) || !std::isfinite(h)) throw InputError(fmt::format("--step: {} s must be > 0 and finite", h));
   const std::vector<std::string> handlers = chosenHandlers(options.handlers);
   const Scene scene = readScene(options.scene, options.overrides);
-  if (!handlers.empty() && scene.damping.any())
-    throw InputError(
-        fmt::format("{}: handlers do not work with [damping]; remove it or --handlers", scene.file.string()));
-  if (scene.hasElementDamping())
-    throw InputError(fmt::format("{}: compare takes no elements that damp", scene.elementDampingOrigin));
-  if (scene.hasDiscreteForces())
-    throw InputError(fmt::format("{}: compare takes no springs and contact", scene.discreteOrigin()));
-  if (!scene.rigids.empty())
-    throw InputError(fmt::format("{}: compare takes no rigid bodies", scene.rigids.front().origin));
-  if (!scene.timed.empty()) throw InputError(fmt::format("{}: compare takes no {}", scene.timed, scene.timedBy));
+  requireTaken(scene, SceneUse::compare);
+  for (const std::string& name : handlers)
+    if (const auto [key, why] = dampingRefusedBy(*findHandler(name), scene.damping); !why.empty())
+      throw InputError(fmt::format("{}: damping.{}: {}", scene.file.string(), key, why));
   for (const double h : options.steps)
     if (h > scene.end) throw InputError(fmt::format("--step: {} s is beyond the end of the scene, {} s", h, scene.end));
   for (const double h : options.steps)

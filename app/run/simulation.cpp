@@ -8,6 +8,7 @@
 
 #include <ringwatch/app/run/stopwatch.h>
 #include <ringwatch/app/scene/scene_discrete.h>
+#include <ringwatch/app/scene/scene_features.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/body/discrete_forces.h>
 #include <ringwatch/handlers/angular_momentum.h>
@@ -39,25 +40,8 @@ Simulation::Simulation(const Scene& s, Body& b, const RunOptions& o)
   result.notes = options.notes;
   result.requireCertified = scene.requireCertified;
   result.proving = scene.proves();
-  if (body.discreteForces()) {
-    result.discrete = RunResult::Discrete{};
-    if (body.discreteForces()->friction())
-      result.notes.emplace_back(
-          "friction: while surfaces slide its tangent is not symmetric, and what is called certified is that of the "
-          "run without it, with the damping that it has while they stick");
-  }
-  if (body.elementDamping() && body.elementDamping()->dependsOnRates())
-    result.notes.emplace_back(
-        "quadratic bulk viscosity: it counts with its derivative at the velocities of each observed state");
-  if (std::ranges::any_of(body.constraints().rigidBodies(), [](const RigidBody& rigid) {
-        return rigid.guide().turning != RigidGuide::Turning::prescribed;
-      }))
-    result.notes.emplace_back(
-        "rigid bodies: their nodes' forces turn with them, which adds a stiffness that is not in the bracket");
-  if (!scene.pressures.empty())
-    result.notes.emplace_back(
-        "pressure: its load stiffness is not symmetric and not in the bracket, which is that of the body under dead "
-        "loads");
+  if (body.discreteForces()) result.discrete = RunResult::Discrete{};
+  for (std::string& note : notesOfBracket(scene, body)) result.notes.push_back(std::move(note));
   recorder.follow(body.mesh());
   if (!scene.handler.empty() && !scene.step) {
     const double wanted =

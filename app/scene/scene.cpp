@@ -9,6 +9,7 @@
 #include <ringwatch/app/command/integrator_catalog.h>
 #include <ringwatch/app/scene/scene_damping.h>
 #include <ringwatch/app/scene/scene_discrete.h>
+#include <ringwatch/app/scene/scene_features.h>
 #include <ringwatch/app/scene/scene_keys.h>
 #include <ringwatch/app/scene/scene_mesh.h>
 #include <ringwatch/app/scene/scene_probes.h>
@@ -279,15 +280,8 @@ void readWantedStep(const SceneTable& handler, Scene& scene) {
 void checkDampingOfHandler(const HandlerInfo& info, const SceneTable& handler, const SceneTable& damping,
                            Scene& scene) {
   if (!scene.damping.any()) return;
-  scene.handlerOptions.damping = scene.damping;
-  const auto refuse = [&](const char* key, const char* kind, bool HandlerInfo::*takes) {
-    fail(damping.at(key).origin, fmt::format("damping.{}", key),
-         fmt::format("the handler \"{}\" works without {}-proportional damping; {} take it", info.name, kind,
-                     namesWhere(handlerInfos(), [&](const HandlerInfo& one) { return one.*takes; })));
-  };
-  if (scene.damping.alpha != 0 && !info.takesMassDamping) refuse("mass", "mass", &HandlerInfo::takesMassDamping);
-  if (scene.damping.beta != 0 && !info.takesStiffnessDamping)
-    refuse("stiffness", "stiffness", &HandlerInfo::takesStiffnessDamping);
+  if (const auto [key, why] = dampingRefusedBy(info, scene.damping); !why.empty())
+    fail(damping.at(std::string(key)).origin, fmt::format("damping.{}", key), why);
   if (handler.given("solver") && handler.get<std::string>("solver") == "newton")
     fail(handler.at("solver").origin, "handler.solver", "\"newton\" works without [damping]; take \"auto\"");
   if (scene.step && !(0.5 * scene.damping.alpha * *scene.step < 1))
@@ -301,6 +295,7 @@ void readHandlerSection(const SceneTable& handler, const SceneTable& integrator,
   if (scene.handler == "none") scene.handler.clear();
   scene.handlerOptions.selection = handler.named("selection", selectionNames);
   if (handler.given("margin")) scene.handlerOptions.margin = handler.get<double>("margin");
+  scene.handlerOptions.damping = scene.damping;
 
   if (scene.handler.empty()) {
     for (const auto& [key, entry] : handler.entries)

@@ -78,7 +78,30 @@ TEST_F(HandledProgram, ComparesHandlersWithIntegrators) {
       EXPECT_TRUE(run["error"].is_number());  // mass scaling runs; with what error is its own affair
   }
   expectRefused("compare slivers.toml --handlers magic", "--handlers: unknown \"magic\"");
-  expectRefused("compare slivers.toml --handlers imex --set damping.mass=1", "handlers do not work with [damping]");
+}
+
+TEST_F(HandledProgram, ComparesDampedHandlersAndRefusesThoseThatTakeNoDamping) {
+  const Outcome outcome = call("compare slivers.toml --integrators verlet --handlers imex --json c.json --step " +
+                               number(critical_ / 2) + " --set damping.mass=5");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  // Steps without elements to handle: the handler and its integrator take the same ones, of the damped body.
+  const Json runs = json("c.json")["runs"];
+  ASSERT_EQ(runs.size(), 2);
+  EXPECT_LT(runs[0]["error"].get<double>(), 0.01);
+  EXPECT_LT(runs[1]["error"].get<double>(), 0.01);
+  expectRefused("compare slivers.toml --handlers fe-pbd --set damping.mass=1",
+                "damping.mass: the handler \"fe-pbd\" works without mass-proportional damping");
+}
+
+TEST_F(Program, ComparesNoSceneWhoseBodyChanges) {
+  folder_.write("tiny.toml", tiny);
+  expectRefused("compare tiny.toml --set erosion.max_stretch=1.3", "[erosion]: compare takes no erosion");
+  folder_.write("cut.toml", std::string(tiny) + "[[cut]]\ntime = 0.01\npoint = [0.05, 0, 0]\nnormal = [1, 0, 0]\n");
+  expectRefused("compare cut.toml", "[[cut]]: compare takes no cuts");
+  expectRefused("advise tiny.toml --step 4e-3 --set erosion.max_stretch=1.3", "[erosion]: advise takes no erosion");
+  const Outcome suggested = call("suggest cut.toml --frame 0.02");
+  EXPECT_EQ(suggested.status, 0) << suggested.err;
+  EXPECT_THAT(suggested.out, HasSubstr("note: the body is cut at t = 0.01 s"));
 }
 
 }  // namespace
