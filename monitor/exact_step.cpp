@@ -18,13 +18,8 @@ constexpr double modeTolerance = 1e-7;
 /// step: 8 u.
 constexpr double ruleRounding = 0x1p-50;
 
-struct TopQuotient {
-  LowerBound lower;
-  NodeVectors mode;
-  int products;
-};
+}  // namespace
 
-/// Empty where the mode does not converge.
 std::optional<TopQuotient> topQuotient(const TangentSource& source, NodeVectorsView x) {
   const GlobalFrequency top = globalFrequency(source, x, modeTolerance);
   if (!top.converged) return std::nullopt;
@@ -34,8 +29,6 @@ std::optional<TopQuotient> topQuotient(const TangentSource& source, NodeVectorsV
   const LowerBound lower = rayleighLowerBound(source, x, u, 1, &seen);
   return TopQuotient{lower, std::move(u), top.products + 1};
 }
-
-}  // namespace
 
 std::optional<ExactStep> exactCriticalStep(const TangentSource& source, NodeVectorsView x, const StepRule& limit,
                                            double tolerance, const BeforeFactorisation& before) {

@@ -25,6 +25,15 @@ struct ExactStep {
   ProvenSides sides;  // what the steps come from
 };
 
+/// The Rayleigh quotient of the top mode (globalFrequency; Theorem 8, docs/theory/rings_and_rayleigh.md).
+struct TopQuotient {
+  LowerBound lower;
+  NodeVectors mode;  // M^½ times a displacement, 3×N
+  int products;
+};
+/// At positions x (3×N, m). Empty where the mode does not converge.
+std::optional<TopQuotient> topQuotient(const TangentSource& source, NodeVectorsView x);
+
 /// Told what the factorisation takes before the first one. An exception that it throws ends the work.
 using BeforeFactorisation = std::function<void(const FactorisationCost&)>;
 

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <ringwatch/app/output/frames.h>
 #include <ringwatch/app/output/gnuplot.h>
 #include <ringwatch/base/atomic_file.h>
 #include <ringwatch/base/error.h>
@@ -86,7 +87,7 @@ std::vector<Distribution> distributionsOf(const std::vector<MetricResult>& metri
   for (const MetricResult& metric : metrics) {
     ElementSteps own{std::string(metric.info->name), {}};
     for (const auto& block : metric.elementLambda)
-      for (const double lambda : block) own.steps.push_back(rule(lambda));
+      for (const double lambda : block) own.steps.push_back(stepBy(metric.direction, lambda, rule));
     steps.push_back(std::move(own));
   }
   return distributionsOf(std::move(steps));
@@ -130,7 +131,7 @@ std::vector<WorstElement> worstElements(const Body& body, const MetricResult& me
   std::vector<std::pair<double, ElementRef>> all;
   for (std::size_t b = 0; b < metric.elementLambda.size(); ++b)
     for (std::size_t e = 0; e < metric.elementLambda[b].size(); ++e) {
-      const double step = rule(metric.elementLambda[b][e]);
+      const double step = stepBy(metric.direction, metric.elementLambda[b][e], rule);
       // An element without a tangent is the worst of all.
       all.push_back({std::isnan(step) ? 0 : step, {b, e}});
     }

@@ -42,12 +42,33 @@ void ElementsInTheWay::addShapes(const Mesh& mesh) {
                    [](const auto& a, const auto& b) { return a.second > b.second; });
 }
 
-ElementsInTheWay elementsInTheWay(const Body& body, const NodeVectors& x, const IntegratorInfo& integrator, double h) {
-  const double omega = (1 - defaultMargin) * integrator.imaginaryLimit / h;
+ElementsInTheWay elementsInTheWay(const Body& body, const NodeVectors& x, const IntegratorInfo& integrator,
+                                  const RayleighDamping& damping, double h) {
   ElementsInTheWay found;
-  found.all = chosenElements(selectCertified(body, x, omega * omega).chosen);
+  found.all =
+      0.5 * h * damping.alpha < 1
+          ? chosenElements(
+                selectCertified(body, x, largestEigenvalueFor(h, defaultMargin, integrator.imaginaryLimit, damping))
+                    .chosen)
+          : chosenElements(complement(noElements(body.mesh())));
   found.addShapes(body.mesh());
   return found;
+}
+
+std::string whyNoHandlers(const Body& body, const IntegratorInfo& integrator) {
+  if (!takesHandler(integrator)) return fmt::format("no handler goes with the integrator {}", integrator.name);
+  if (body.discreteForces()) return "handlers do not go with springs, dashpots and contact";
+  if (body.elementDamping()) return "handlers do not go with elements that damp";
+  if (!body.constraints().rigidBodies().empty()) return "handlers do not go with rigid bodies";
+  return {};
+}
+
+std::string_view shareText(double share) {
+  constexpr double most = 0.5;  // the larger part of the body: what stays explicit saves less than it
+  return share <= fewInTheWay ? ""
+         : share <= most      ? "; these are not few: ringwatch advise measures whether a handler pays"
+                              : "; this is most of the body, where a handler does not pay: take a smaller step, or an "
+                                "implicit integrator for the whole";
 }
 
 }  // namespace ringwatch

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -9,6 +10,7 @@
 namespace ringwatch {
 
 struct IntegratorInfo;
+struct RayleighDamping;
 
 /// The elements that keep a step from being stable, as a certified selection chooses them, and those of them that only
 /// their shape puts there.
@@ -24,8 +26,18 @@ struct ElementsInTheWay {
   std::string badNumbersText(const Mesh& mesh) const;
 };
 
-/// Of a step h (s) at positions x (3×N, m), with the room that handlers leave by default. For integrators that take a
-/// handler. Throws NumericalError where the state has no finite tangent.
-ElementsInTheWay elementsInTheWay(const Body& body, const NodeVectors& x, const IntegratorInfo& integrator, double h);
+/// Returns those of a step h (s) at positions x (3×N, m), with the room that handlers leave by default; all elements
+/// where mass-proportional damping alone forbids the step. For integrators that take a handler. Throws NumericalError
+/// where the state has no finite tangent.
+ElementsInTheWay elementsInTheWay(const Body& body, const NodeVectors& x, const IntegratorInfo& integrator,
+                                  const RayleighDamping& damping, double h);
+
+/// Says why no handler steps a body with an integrator, "" where one does.
+std::string whyNoHandlers(const Body& body, const IntegratorInfo& integrator);
+
+/// The share of all elements up to which those in the way are few: handlers are made for these.
+inline constexpr double fewInTheWay = 0.1;
+/// Says what a share of all elements in the way means for handlers: "" where they are few.
+std::string_view shareText(double share);
 
 }  // namespace ringwatch

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
 #include <ringwatch/app/command/distribution.h>
+#include <ringwatch/app/command/elements_in_the_way.h>
 #include <ringwatch/app/command/progress.h>
 #include <ringwatch/app/output/frames.h>
 #include <ringwatch/app/output/report.h>
@@ -35,6 +37,9 @@ namespace ringwatch {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+/// Of the step at which the rule of a body that damps is exact where an eigenvalue gives it.
+constexpr double exactTolerance = 1e-9;
 
 std::vector<std::string> metricsWanted(const std::vector<std::string>& asked, bool usual) {
   if (asked.empty() && !usual) return {};
@@ -78,16 +83,34 @@ const IntegratorInfo& integratorNamed(const std::string& integrator) {
 
 /// What is inspected: a body in a state.
 struct Subject {
+  Scene scene;
   Body body;
   NodeVectors x;
-  StepRule rule;
+  ReferencedRule own;  // exact at the step that the state has, as far as that is known
   const IntegratorInfo* integrator;
-  std::string model;
-  bool damped;
   std::string state;  // "at rest"
   Json stateJson;
   std::vector<std::string> notes;
+
+  const StepRule& rule() const { return own.rule; }
+  std::string model() const { return modelsText(scene.materials); }
+  bool damped() const { return scene.damps(); }
+  /// Lets the rule be exact at the step that is found by `step`.
+  void referTo(double tolerance, const StepByRule& step) {
+    own = ruleAtOwnStep(scene, body, DampingRates::atRest, tolerance, step);
+  }
 };
+
+/// With the rule that is exact at the safe step of the state.
+Subject subjectIn(Scene scene, Body body, NodeVectors x, std::string state, Json stateJson,
+                  std::vector<std::string> notes) {
+  const IntegratorInfo& integrator = *integratorCatalog().find(scene.method);
+  Subject subject{std::move(scene), std::move(body),  std::move(x),         {integrator.imaginaryLimit},
+                  &integrator,      std::move(state), std::move(stateJson), std::move(notes)};
+  subject.referTo(ownStepTolerance,
+                  [&](const StepRule& rule) { return criticalStep(subject.body, subject.x, rule).safe; });
+  return subject;
+}
 
 Body makeBody(const Scene& scene, Mesh mesh, const InspectOptions& options, MaterialsBy by) {
   try {
@@ -133,27 +156,24 @@ Subject subjectOfRun(const InspectOptions& options) {
                                  options.mesh.string(), frames.size()));
   const PvdEntry& frame = frames[*options.frame - 1];
   override(scene, options);
-  const IntegratorInfo& integrator = integratorNamed(scene.method);
+  integratorNamed(scene.method);
   std::vector<std::string> notes;
-  MeshState state = loadVtuState(options.mesh / frame.file, "displacement", &notes);
+  BodyState state = [&] {
+    try {
+      return bodyOfFrame(scene, options.mesh, frame, options.threads, &notes);
+    } catch (const NumericalError& fault) {
+      throw InputError(fmt::format("{}: {}", options.mesh.string(), fault.what()));
+    }
+  }();
   if (!scene.handler.empty())
     notes.push_back(findHandler(scene.handler)->addsMass
                         ? "the run scaled masses; this is the body without added mass"
                         : fmt::format("the run handled elements apart ({}); here all elements count", scene.handler));
   if (scene.quadraticBulkViscosity > 0)
     notes.emplace_back("quadratic bulk viscosity counts as of a body that does not move");
-  Body body = makeBody(scene, std::move(state.mesh), options, MaterialsBy::mesh);
-  if (body.discreteForces()) placeObstacles(scene, frame.time, *body.discreteForces());
-  const StepRule rule = sceneStepRule(scene, body);
-  return {std::move(body),
-          std::move(state.x),
-          rule,
-          &integrator,
-          modelsText(scene.materials),
-          scene.damps(),
-          fmt::format("in frame {} of {}, t = {:.6g} s", *options.frame, frames.size(), frame.time),
-          Json{{"frame", *options.frame}, {"frames", frames.size()}, {"time", frame.time}},
-          std::move(notes)};
+  return subjectIn(std::move(scene), std::move(state.body), std::move(state.x),
+                   fmt::format("in frame {} of {}, t = {:.6g} s", *options.frame, frames.size(), frame.time),
+                   Json{{"frame", *options.frame}, {"frames", frames.size()}, {"time", frame.time}}, std::move(notes));
 }
 
 /// With the materials, sections and supports of a deck.
@@ -163,20 +183,13 @@ Subject subjectOfDeck(const InspectOptions& options) {
   Scene scene = sceneOfDeck(options.mesh, DeckUse::model, overrides);
   scene.meshOrigin = options.mesh.string();
   override(scene, options);
-  const IntegratorInfo& integrator = integratorNamed(scene.method);
+  integratorNamed(scene.method);
   std::vector<std::string> notes;
   Mesh mesh = sceneMesh(scene, notes);
   for (std::string& note : meshNotes(mesh, options.mesh.string())) notes.push_back(std::move(note));
   NodeVectors x = mesh.X;
-  return {makeBody(scene, std::move(mesh), options, MaterialsBy::scene),
-          std::move(x),
-          stepRule(integrator, scene.damping),
-          &integrator,
-          modelsText(scene.materials),
-          scene.damping.any(),
-          "at rest",
-          "rest",
-          std::move(notes)};
+  Body body = makeBody(scene, std::move(mesh), options, MaterialsBy::scene);
+  return subjectIn(std::move(scene), std::move(body), std::move(x), "at rest", "rest", std::move(notes));
 }
 
 /// Of a mesh file without a scene. Throws before a large mesh is read.
@@ -216,8 +229,7 @@ Subject subjectOf(const InspectOptions& options) {
   if (folder) return subjectOfRun(options);
   const bool ownLaw = options.parameters.begin() != options.parameters.end();
   if (!ownLaw && !options.displacement && isDeckFile(options.mesh)) return subjectOfDeck(options);
-  const Scene scene = sceneOfMeshFile(options);
-  const IntegratorInfo& integrator = integratorNamed(scene.method);
+  Scene scene = sceneOfMeshFile(options);
   std::vector<std::string> notes;
   MeshState state;
   if (options.displacement) {
@@ -227,15 +239,11 @@ Subject subjectOf(const InspectOptions& options) {
     state.x = state.mesh.X;
   }
   for (std::string& note : meshNotes(state.mesh, options.mesh.string())) notes.push_back(std::move(note));
-  return {makeBody(scene, std::move(state.mesh), options, MaterialsBy::scene),
-          std::move(state.x),
-          StepRule(integrator.imaginaryLimit),
-          &integrator,
-          modelsText(scene.materials),
-          false,
-          options.displacement ? fmt::format("with displacement \"{}\"", *options.displacement) : "at rest",
-          options.displacement ? Json{{"displacement", *options.displacement}} : Json("rest"),
-          std::move(notes)};
+  Body body = makeBody(scene, std::move(state.mesh), options, MaterialsBy::scene);
+  return subjectIn(std::move(scene), std::move(body), std::move(state.x),
+                   options.displacement ? fmt::format("with displacement \"{}\"", *options.displacement) : "at rest",
+                   options.displacement ? Json{{"displacement", *options.displacement}} : Json("rest"),
+                   std::move(notes));
 }
 
 Json setsJson(const MeshFigures& figures) {
@@ -306,9 +314,9 @@ Json illShaped(const Subject& subject, const std::vector<MetricResult>& metrics,
   std::size_t singleCount = 0;
   for (std::size_t b = 0; b < ring.elementLambda.size(); ++b)
     for (std::size_t e = 0; e < ring.elementLambda[b].size(); ++e) {
-      if (subject.rule(ring.elementLambda[b][e]) < h)
+      if (stepBy(ring.direction, ring.elementLambda[b][e], subject.rule()) < h)
         elements.push_back(Json{{"block", b}, {"index", e}, {"id", subject.body.mesh().blocks[b].id(e)}});
-      singleCount += subject.rule(single.elementLambda[b][e]) < h ? 1 : 0;
+      singleCount += stepBy(single.direction, single.elementLambda[b][e], subject.rule()) < h ? 1 : 0;
     }
   return Json{{"count", elements.size()},
               {"by_metric", {{"reduced-1-ring", elements.size()}, {"single-element", singleCount}}},
@@ -318,10 +326,10 @@ Json illShaped(const Subject& subject, const std::vector<MetricResult>& metrics,
 /// What a handler would take at a step h, as it chooses when a run begins. Null where no handler goes with the
 /// integrator.
 Json handlerChoice(const Subject& subject, double h) {
-  if (!takesHandler(*subject.integrator) || subject.damped) return nullptr;
+  if (!whyNoHandlers(subject.body, *subject.integrator).empty()) return nullptr;
   const HandlerOptions options;
-  const double omega = (1 - defaultMargin) * subject.integrator->imaginaryLimit / h;
-  const std::vector<ElementRef> chosen = chosenElements(selectCertified(subject.body, subject.x, omega * omega).chosen);
+  const std::vector<ElementRef> chosen =
+      elementsInTheWay(subject.body, subject.x, *subject.integrator, subject.scene.damping, h).all;
   Json elements = Json::array();
   for (const ElementRef e : chosen)
     elements.push_back(
@@ -343,7 +351,7 @@ void writeMetricsVtu(const std::filesystem::path& path, const Subject& subject,
     fields.push_back({std::move(name), 1, std::span<const double>(arrays.back())});
   };
   for (const MetricResult& metric : metrics) {
-    FrameField steps = stepField(metric, subject.rule);
+    FrameField steps = stepField(metric, subject.rule());
     add(std::move(steps.name), std::move(steps.values));
   }
   std::vector<double> heights;
@@ -388,8 +396,10 @@ Json costJson(const FactorisationCost& cost) {
 ProvenSides reportExactStep(const Subject& subject, const InspectOptions& options, InspectResult& result) {
   ProgressLine progress(true);
   FactorisationCost cost{};
+  // With damping up to twice as much of the tolerance becomes that of the step.
+  const double tolerance = subject.damped() ? 0.5e-6 : 1e-6;
   const std::optional<ExactStep> exact =
-      exactCriticalStep(subject.body, subject.x, subject.rule, 1e-6, sayCost("--exact", progress, cost));
+      exactCriticalStep(subject.body, subject.x, subject.rule(), tolerance, sayCost("--exact", progress, cost));
   if (!exact) {
     result.failure = fmt::format(
         "{}: --exact: the top mode did not converge, or rounding leaves nothing to prove within 1 %; the bracket holds "
@@ -409,14 +419,14 @@ ProvenSides reportExactStep(const Subject& subject, const InspectOptions& option
 
 /// A step for all states whose stretches lie in a range.
 void reportRange(const Subject& subject, StretchRange stretch, InspectResult& result) {
-  const RangeStep range = rangeStep(subject.body, stretch, subject.rule);
+  const RangeStep range = rangeStep(subject.body, stretch, subject.rule());
   Json& json = result.json["stretch"];
   json = Json{{"low", stretch.low}, {"high", stretch.high}, {"safe", range.safe}, {"modulus", Json::array()}};
   for (const ModulusRange& modulus : range.modulus) json["modulus"].push_back(modulus.bound);
-  result.text +=
-      fmt::format("stretches {:.4g} to {:.4g}: {:.10g} s   {} in every state whose stretches stay between these\n",
-                  stretch.low, stretch.high, range.safe,
-                  subject.rule.proven() ? "proven stable" : "stable, by a searched limit of the damped integrator,");
+  result.text += fmt::format(
+      "stretches {:.4g} to {:.4g}: {:.10g} s   proven stable in every state whose stretches stay between "
+      "these\n",
+      stretch.low, stretch.high, range.safe);
 }
 
 std::string_view proofText(Verdict verdict) {
@@ -426,12 +436,13 @@ std::string_view proofText(Verdict verdict) {
 }
 
 /// Whether one step is stable, by a factorisation; what it proved.
-ProvenSides reportProof(const Subject& subject, double h, InspectResult& result) {
+ProvenSides reportProof(Subject& subject, double h, InspectResult& result) {
   ProgressLine progress(true);
   FactorisationCost cost{};
   ProvenSides sides;
-  const Verdict verdict =
-      proveStep(subject.body, subject.x, subject.rule, h, sayCost("--prove", progress, cost), &sides);
+  const StepRule rule = stepRuleAt(subject.scene, subject.body, h, DampingRates::atRest);
+  const Verdict verdict = proveStep(subject.body, subject.x, rule, h, sayCost("--prove", progress, cost), &sides);
+  stepRuleAt(subject.scene, subject.body, subject.own.reference, DampingRates::atRest);
   result.json["prove"] = Json{{"step", h}, {"verdict", std::string(verdictName(verdict))}};
   result.json["prove"].update(costJson(cost));
   result.text += fmt::format("h = {:.10g} s: {}, by a factorisation of {:.3g} million numbers\n", h, proofText(verdict),
@@ -449,7 +460,7 @@ void reportMetrics(const std::vector<MetricResult>& metrics, const StepRule& rul
   text += fmt::format("  {:<32} {:<10} {:>16} {}element\n", "metric", "side", "step (s)",
                       globalStep ? "  difference (%)  " : "  ");
   for (const MetricResult& m : metrics) {
-    const double h = rule(m.lambda);
+    const double h = stepBy(m.direction, m.lambda, rule);
     const std::string name(m.info->name);
     json["metrics"][name] = h;
     json["directions"][name] = std::string(stepSide(m.direction));
@@ -512,14 +523,14 @@ CriticalStep reportBracket(const Subject& subject, const InspectOptions& options
   ProgressLine progress(true);
   const CriticalStep step =
       options.bracket
-          ? options.bracket(subject.body, subject.x, subject.rule)
+          ? options.bracket(subject.body, subject.x, subject.rule())
           : criticalStepInTiers(
-                subject.body, subject.x, subject.rule, lanczos, nullptr, [&](double safe, double optimistic) {
+                subject.body, subject.x, subject.rule(), lanczos, nullptr, [&](double safe, double optimistic) {
                   progress.announce(fmt::format("critical step: proven so far {:.6g} to {:.6g} s", safe, optimistic));
                 });
   progress.clear();
   std::string& text = result.text;
-  text += headOfBracket(subject.state, subject.model, *subject.integrator, subject.damped);
+  text += headOfBracket(subject.state, subject.model(), *subject.integrator, subject.damped());
   std::string probable;
   if (step.probable)
     probable =
@@ -549,7 +560,7 @@ std::optional<double> reportGlobalStep(const Subject& subject, const InspectOpti
         options.mesh.string(), global.products);
     return std::nullopt;
   }
-  const double step = subject.rule(global.lambda);
+  const double step = subject.rule()(global.lambda);
   result.json["critical_step"]["global"] = step;
   result.text += fmt::format("  global      {:.10g} s   the exact value, {} tangent products\n", step, global.products);
   return step;
@@ -579,11 +590,11 @@ void reportStep(const Subject& subject, const std::vector<MetricResult>& metrics
 
 void reportDistribution(const Subject& subject, const std::vector<MetricResult>& metrics, const CriticalStep& step,
                         const InspectOptions& options, InspectResult& result) {
-  const std::vector<Distribution> distributions = distributionsOf(metrics, subject.rule);
+  const std::vector<Distribution> distributions = distributionsOf(metrics, subject.rule());
   result.json["distribution"] = distributionJson(distributions);
   result.text += distributionText(distributions, options.step);
   // Of the metrics at hand the one that tells elements apart best.
-  const auto worst = worstElements(subject.body, metricNamed("reduced-1-ring", metrics, subject), subject.rule, 10);
+  const auto worst = worstElements(subject.body, metricNamed("reduced-1-ring", metrics, subject), subject.rule(), 10);
   result.json["worst_elements"] = worstJson(subject.body.mesh(), worst);
   result.text += worstText(worst);
   if (options.picture)
@@ -608,11 +619,11 @@ void writeCertificate(const Subject& subject, const InspectOptions& options, con
   json = Json{{"file", file}, {"bytes", certificate.bytes.size()}, {"body", body}};
   std::string proven;
   if (certificate.upper.value > 0) {
-    json["safe"] = safeStep(certificate.upper, subject.rule);
+    json["safe"] = safeStep(certificate.upper, subject.rule());
     proven += fmt::format(", stable up to {:.10g} s", json["safe"].get<double>());
   }
   if (certificate.lower.value > 0) {
-    json["optimistic"] = optimisticStep(certificate.lower, subject.rule);
+    json["optimistic"] = optimisticStep(certificate.lower, subject.rule());
     proven += fmt::format(", unstable above {:.10g} s", json["optimistic"].get<double>());
   }
   result.text += fmt::format("certificate: {}, {:.3g} MB; what it proves of the body {}, by {}{}\n", file,
@@ -627,7 +638,9 @@ void reportHandlerChoice(const Subject& subject, double h, const CriticalStep& s
       "a handler would take {} of {} elements at h = {:.6g} s (selection {}, margin {}: room for h = {:.6g} s){}\n",
       choice["count"].get<std::size_t>(), subject.body.mesh().elementCount(), h, choice["selection"].get<std::string>(),
       choice["margin"].get<double>(), h / (1 - choice["margin"].get<double>()),
-      h <= step.safe ? "; the step is proven without one" : "");
+      h <= step.safe
+          ? "; the step is proven without one"
+          : shareText(choice["count"].get<double>() / static_cast<double>(subject.body.mesh().elementCount())));
 }
 
 }  // namespace
@@ -642,6 +655,11 @@ InspectResult inspectMesh(const InspectOptions& options) {
   InspectResult result;
   reportMesh(figuresOf(subject, quality), subject.stateJson, options, result);
   const CriticalStep step = reportBracket(subject, options, result);
+  if (options.global || options.exact)
+    subject.referTo(exactTolerance, [&](const StepRule& rule) {
+      const std::optional<TopQuotient> top = topQuotient(subject.body, subject.x);
+      return top ? optimisticStep(top->lower, rule) : std::numeric_limits<double>::quiet_NaN();
+    });
   std::optional<double> globalStep;
   if (options.global) globalStep = reportGlobalStep(subject, options, result);
   ProvenSides sides;
@@ -655,7 +673,7 @@ InspectResult inspectMesh(const InspectOptions& options) {
       if (progress.due()) progress.show(fmt::format("{}: {:.0f} %", name, 100 * done), done);
     }));
   }
-  if (!metrics.empty()) reportMetrics(metrics, subject.rule, globalStep, result.json["critical_step"], result.text);
+  if (!metrics.empty()) reportMetrics(metrics, subject.rule(), globalStep, result.json["critical_step"], result.text);
   reportControllingElement(
       {elementJson(subject.body.mesh(), step.controlling), elementText(subject.body.mesh(), step.controlling),
        quality[step.controlling.block][step.controlling.element]},
@@ -668,7 +686,7 @@ InspectResult inspectMesh(const InspectOptions& options) {
   if (options.step) reportHandlerChoice(subject, *options.step, step, result);
   if (options.page)
     options.page({options.mesh.filename().string(), subject.state, subject.body, subject.x, *subject.integrator,
-                  subject.rule, subject.damped, step, metrics, options.step, result.json, subject.notes});
+                  subject.rule(), subject.scene.damping, step, metrics, options.step, result.json, subject.notes});
   return result;
 }
 

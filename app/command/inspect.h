@@ -32,7 +32,7 @@ struct Inspection {
   const NodeVectors& x;
   const IntegratorInfo& integrator;
   StepRule rule;
-  bool damped = false;
+  RayleighDamping damping;
   const CriticalStep& step;
   const std::vector<MetricResult>& metrics;  // that were asked for
   std::optional<double> asked;               // s, the step that was asked about

@@ -1,5 +1,6 @@
 #include <ringwatch/app/command/scene_start.h>
 
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -16,30 +17,10 @@
 
 namespace ringwatch {
 
-namespace {
-constexpr int mostReferences = 4;  // each lies nearer to the step that it proves
-}  // namespace
-
 SceneStart startOf(const std::filesystem::path& file, const std::vector<std::string>& overrides, int threads,
-                   DiscreteAtStart discrete) {
+                   SceneUse use) {
   Scene scene = readScene(file, overrides);
-  if (scene.hasElementDamping())
-    throw InputError(fmt::format("{}: a plan at the start of a run takes no elements that damp; ringwatch run does",
-                                 scene.elementDampingOrigin));
-  if (scene.hasDiscreteForces() && discrete == DiscreteAtStart::refused)
-    throw InputError(
-        fmt::format("{}: a plan at the start of a run takes no springs and contact, whose stiffness comes and goes "
-                    "later; ringwatch run watches them",
-                    scene.discreteOrigin()));
-  if (!scene.rigids.empty() && discrete == DiscreteAtStart::refused)
-    throw InputError(fmt::format("{}: a plan at the start of a run takes no rigid bodies; ringwatch run does",
-                                 scene.rigids.front().origin));
-  for (const Scene::Contact& contact : scene.contacts)
-    if (contact.withSurface)
-      throw InputError(
-          fmt::format("{}: a plan at the start of a run takes no contact of surfaces, of which any node may "
-                      "meet any face later; ringwatch run watches it",
-                      contact.origin));
+  requireTaken(scene, use);
   const IntegratorInfo& info = *integratorCatalog().find(scene.method);
   if (!hasCriticalStep(info))
     throw InputError(
@@ -57,18 +38,14 @@ SceneStart startOf(const std::filesystem::path& file, const std::vector<std::str
     }
   }();
   State state = sceneInitialState(scene, BodySystem(body, scene.damping));
-  StepRule rule = sceneStepRule(scene, body);
-  if (DiscreteForces* forces = body.discreteForces()) {
-    forces->setReach(infinity);
-    // With dashpots a rule is exact at its reference, and far from it loose: here no step is given, but looked for.
-    for (int i = 0; forces->damped() && i < mostReferences; ++i) {
-      const double safe = criticalStep(body, state.x, rule).safe;
-      if (!(safe > 0) || !std::isfinite(safe)) break;
-      forces->setDampingFactor(dampingFactor(scene.damping, safe));
-      rule = stepRuleWithDashpots(info, scene.damping, safe);
-    }
-  }
-  return {std::move(scene), &info, std::move(rule), std::move(body), std::move(state), std::move(notes)};
+  if (DiscreteForces* forces = body.discreteForces()) forces->setReach(infinity);
+  body.followDampingRates(state.x, state.v);
+  const ReferencedRule own =
+      ruleAtOwnStep(scene, body, state.v.isZero(0) ? DampingRates::atRest : DampingRates::followed, ownStepTolerance,
+                    [&](const StepRule& rule) { return criticalStep(body, state.x, rule).safe; });
+  for (std::vector<std::string>& more : std::array{notesOfBracket(scene, body), notesOfLaterChanges(scene)})
+    notes.insert(notes.end(), more.begin(), more.end());
+  return {std::move(scene), &info, own.rule, std::move(body), std::move(state), std::move(notes)};
 }
 
 }  // namespace ringwatch

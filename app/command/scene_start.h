@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <ringwatch/app/scene/scene.h>
+#include <ringwatch/app/scene/scene_features.h>
 #include <ringwatch/integrators/integrator.h>
 #include <ringwatch/monitor/step_limit.h>
 
@@ -16,17 +17,13 @@ struct SceneStart {
   StepRule rule;
   Body body;
   State state;
-  std::vector<std::string> notes;  // of the mesh reader
+  std::vector<std::string> notes;  // of the mesh reader, and on what the bracket at the start leaves out
 };
 
-/// What becomes of springs and contact.
-enum class DiscreteAtStart {
-  refused,
-  counted  ///< contact at every node that it can have, touching or not: the safe side holds whatever touches
-};
-
-/// Throws InputError for bad input, and for an integrator without a critical step.
+/// use: advise, suggest or scale-mass. Springs and contact count at every node that they can have, touching or not: the
+/// safe side holds whatever touches. Throws InputError for bad input, for what the command does not take, and for an
+/// integrator without a critical step.
 SceneStart startOf(const std::filesystem::path& scene, const std::vector<std::string>& overrides, int threads,
-                   DiscreteAtStart discrete = DiscreteAtStart::refused);
+                   SceneUse use);
 
 }  // namespace ringwatch

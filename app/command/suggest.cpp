@@ -7,6 +7,7 @@
 
 #include <ringwatch/app/command/scene_start.h>
 #include <ringwatch/app/output/report.h>
+#include <ringwatch/base/error.h>
 #include <ringwatch/monitor/critical_step.h>
 
 namespace ringwatch {
@@ -38,22 +39,25 @@ std::string tellSteps(double frame, double h, Json& json) {
 }  // namespace
 
 SuggestResult suggestSteps(const SuggestOptions& options) {
-  const SceneStart start = startOf(options.scene, options.overrides, options.threads, DiscreteAtStart::counted);
+  const SceneStart start = startOf(options.scene, options.overrides, options.threads, SceneUse::suggest);
   const Scene& scene = start.scene;
   const Body& body = start.body;
   const StepRule& rule = start.rule;
   std::vector<std::string> notes = start.notes;
+  if (options.stretch && scene.hasElementDamping())
+    throw InputError(
+        fmt::format("{}: --stretch takes no elements that damp; leave it out", scene.elementDampingOrigin));
   const CriticalStep bracket = criticalStep(body, start.state.x, rule);
 
   SuggestResult result;
   Json& json = result.json;
   json = Json{{"scene", scene.file.string()},
               {"integrator", std::string(start.integrator->name)},
-              {"damped", scene.damping.any()},
+              {"damped", scene.damps()},
               {"frame", options.frame}};
-  result.text = fmt::format("{}: {}, {}, {}{}\nin {:.6g} s:\n", scene.file.string(), elementCounts(body.mesh()),
-                            modelsText(scene.materials), start.integrator->name, scene.damping.any() ? ", damped" : "",
-                            options.frame);
+  result.text =
+      fmt::format("{}: {}, {}, {}{}\nin {:.6g} s:\n", scene.file.string(), elementCounts(body.mesh()),
+                  modelsText(scene.materials), start.integrator->name, scene.damps() ? ", damped" : "", options.frame);
   const std::string atStart = tellSteps(options.frame, bracket.safe, json["start"]);
   json["start"]["optimistic"] = bracket.optimistic;
   std::string fewer;
@@ -86,8 +90,6 @@ SuggestResult suggestSteps(const SuggestOptions& options) {
         "grows with the depth to which nodes come");
   if (!scene.handler.empty())
     notes.push_back(fmt::format("without the handler {}: with it larger steps are possible", scene.handler));
-  if (!rule.proven())
-    notes.push_back(fmt::format("with damping the limit of {} is searched for, not proven", start.integrator->name));
   json["notes"] = notes;
   for (const std::string& note : notes) result.text += fmt::format("  note: {}\n", note);
   return result;

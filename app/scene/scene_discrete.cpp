@@ -38,8 +38,11 @@ constexpr double shareOfRoom = 0.5;
 /// leaves less of the step, 2 % of λ for 20 steps.
 constexpr double stickingShare = 0.1;
 /// The reference step of "auto" where elements damp: how often it is corrected, and when it is near enough.
-constexpr int referenceSearches = 4;
+constexpr int referenceCorrections = 4;
 constexpr double referenceTolerance = 0.005;
+/// Of a reference that is to lie at the step which it gives. Each correction by the top mode leaves the square of what
+/// was missing.
+constexpr int ownStepCorrections = 12;
 /// Nodes that lie on a surface at the start are there to rounding, relative to the size of the body.
 constexpr double startRounding = 1e-9;
 
@@ -289,7 +292,7 @@ AtRest atRest(const Scene& scene, Body& body, std::optional<double> wanted) {
   const IntegratorInfo& info = *integratorCatalog().find(scene.method);
   AtRest rest{0, aloneAt(0)};
   rest.step = scene.safety * stepRule(info, scene.damping)(rest.alone.bound);
-  for (int i = 0; elements && i < referenceSearches; ++i) {
+  for (int i = 0; elements && i < referenceCorrections; ++i) {
     rest.alone = aloneFor(rest.step);
     rest.step =
         scene.safety * stepRuleWithDashpots(info, scene.damping, rest.step, elements->overcount())(rest.alone.bound);
@@ -733,33 +736,67 @@ void renewSurfaceContact(const Scene& scene, double time, std::vector<std::size_
   body.setDiscreteForces(std::move(forces));
 }
 
-StepRule sceneStepRule(const Scene& scene, Body& body) {
-  const IntegratorInfo& info = *integratorCatalog().find(scene.method);
-  const StepRule rule = stepRule(info, scene.damping);
-  const bool dashpots = body.discreteForces() && body.discreteForces()->damped();
-  ElementDamping* elements = body.elementDamping();
-  if (!dashpots && !elements) return rule;
-  const auto setFactor = [&](double f) {
-    if (body.discreteForces()) body.discreteForces()->setDampingFactor(f);
-    if (elements) elements->setFactor(f);
-  };
-  const double overcount = elements ? elements->overcount() : 0;
-  const auto ruleAt = [&](double reference) {
-    setFactor(dampingFactor(scene.damping, reference));
-    return stepRuleWithDashpots(info, scene.damping, reference, overcount);
-  };
-  if (scene.step) return ruleAt(*scene.step);
-  setFactor(0);
-  double reference = scene.safety * criticalStep(body, body.mesh().X, rule).safe;
-  // The bracket is tight at the reference: where every element damps, the step is shorter than without.
-  for (int i = 0; elements && i < referenceSearches; ++i) {
-    const StepRule own = ruleAt(reference);
-    const double next = scene.safety * criticalStep(body, body.mesh().X, own).safe;
-    const bool near = std::abs(next - reference) <= referenceTolerance * reference;
+namespace {
+
+/// Whether something damps whose share of the limit changes with the step.
+bool countsDamping(const Body& body) {
+  return body.elementDamping() || (body.discreteForces() && body.discreteForces()->damped());
+}
+
+void countDamping(Body& body, double factor) {
+  if (body.discreteForces()) body.discreteForces()->setDampingFactor(factor);
+  if (body.elementDamping()) body.elementDamping()->setFactor(factor);
+}
+
+bool isStep(double h) { return h > 0 && std::isfinite(h); }
+
+/// Replaces a reference step by what a rule that is exact there gives, a few times or until it stays.
+double correctedReference(const Scene& scene, Body& body, DampingRates rates, double reference, int corrections,
+                          double tolerance, const StepByRule& step) {
+  for (int i = 0; i < corrections; ++i) {
+    const double next = step(stepRuleAt(scene, body, reference, rates));
+    if (!isStep(next)) break;
+    const bool near = std::abs(next - reference) <= tolerance * reference;
     reference = next;
     if (near) break;
   }
-  return ruleAt(reference);
+  return reference;
+}
+
+}  // namespace
+
+StepRule stepRuleAt(const Scene& scene, Body& body, double h, DampingRates rates) {
+  const IntegratorInfo& info = *integratorCatalog().find(scene.method);
+  if (!countsDamping(body)) return stepRule(info, scene.damping);
+  countDamping(body, dampingFactor(scene.damping, h));
+  const bool over = body.elementDamping() && rates == DampingRates::followed;
+  return stepRuleWithDashpots(info, scene.damping, h, over ? body.elementDamping()->overcount() : 0);
+}
+
+StepRule sceneStepRule(const Scene& scene, Body& body) {
+  const StepRule rule = stepRule(*integratorCatalog().find(scene.method), scene.damping);
+  if (!countsDamping(body)) return rule;
+  if (scene.step) return stepRuleAt(scene, body, *scene.step, DampingRates::followed);
+  const StepByRule share = [&](const StepRule& own) {
+    return scene.safety * criticalStep(body, body.mesh().X, own).safe;
+  };
+  countDamping(body, 0);
+  // The bracket is tight at the reference: where every element damps, the step is shorter than without.
+  const double reference =
+      correctedReference(scene, body, DampingRates::followed, share(rule),
+                         body.elementDamping() ? referenceCorrections : 0, referenceTolerance, share);
+  return stepRuleAt(scene, body, reference, DampingRates::followed);
+}
+
+ReferencedRule ruleAtOwnStep(const Scene& scene, Body& body, DampingRates rates, double tolerance,
+                             const StepByRule& step) {
+  const StepRule rule = stepRule(*integratorCatalog().find(scene.method), scene.damping);
+  if (!countsDamping(body)) return {rule};
+  countDamping(body, 0);
+  double reference = step(rule);
+  if (!isStep(reference)) reference = isStep(scene.end) ? scene.end : 1;  // damping alone sets the step
+  reference = correctedReference(scene, body, rates, reference, ownStepCorrections, tolerance, step);
+  return {stepRuleAt(scene, body, reference, rates), reference};
 }
 
 std::optional<PenaltyRoom> penaltyRoom(const Scene& scene, const Body& body, double step) {

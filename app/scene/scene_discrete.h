@@ -1,4 +1,6 @@
 #pragma once
+#include <functional>
+
 #include <ringwatch/app/scene/scene.h>
 #include <ringwatch/app/scene/scene_tables.h>
 
@@ -24,6 +26,27 @@ void renewSurfaceContact(const Scene& scene, double time, std::vector<std::size_
 /// The rule of the steps of a scene on its body. With dashpots or elements that damp it is exact at the scene's step;
 /// the body then counts their damping for that step (DiscreteForces::setDampingFactor, ElementDamping::setFactor).
 StepRule sceneStepRule(const Scene& scene, Body& body);
+/// A rule that is exact at a step (reference, s), whatever the scene's is.
+struct ReferencedRule {
+  StepRule rule;
+  double reference = 0;
+};
+/// A step of the body, s, by a rule; not positive and finite where there is none.
+using StepByRule = std::function<double(const StepRule&)>;
+/// What counts of damping by velocities (ElementDamping::overcount).
+enum class DampingRates {
+  atRest,   ///< what bodies need that do not move, exactly
+  followed  ///< what Body::followDampingRates leaves
+};
+/// The rule of the steps of a scene on its body, exact at a step h (s); the body then counts its damping for that step.
+StepRule stepRuleAt(const Scene& scene, Body& body, double h, DampingRates rates);
+/// Of the reference of a bracket, whose sides are some percent apart.
+inline constexpr double ownStepTolerance = 1e-3;
+/// The rule that is exact at the step which it gives itself, to a relative tolerance: what it says depends on no step
+/// of the scene. The critical step is the one at which M - (h/2) C - (h²/4) K becomes singular, Theorem 47,
+/// docs/theory/discrete_forces.md.
+ReferencedRule ruleAtOwnStep(const Scene& scene, Body& body, DampingRates rates, double tolerance,
+                             const StepByRule& step);
 
 /// How far the penalties of contact could grow.
 struct PenaltyRoom {

@@ -442,6 +442,82 @@ TEST_F(DampedScene, InspectKnowsTheDampingOfARun) {
   EXPECT_LT(optimistic, 0.95 * table("bare/history.csv").number(0, "optimistic_s"));
 }
 
+/// The least h at which M - (h/2) C - (h²/4) K is singular, by bisection with dense matrices.
+double denseLimit(const Scene& scene, const NodeVectors& x) {
+  std::vector<std::string> notes;
+  Body body = sceneBody(scene, sceneMesh(scene, notes), 1);
+  std::vector<Eigen::Index> free;
+  for (std::int32_t i = 0; i < body.nodeCount(); ++i)
+    for (int c = 0; c < 3; ++c)
+      if (!body.constraints().isConstrained(i, c)) free.push_back(3 * i + c);
+  const auto tangentOf = [&](double factor) -> MatrixXd {
+    if (body.elementDamping()) body.elementDamping()->setFactor(factor);
+    if (body.discreteForces()) body.discreteForces()->setDampingFactor(factor);
+    return MatrixXd(body.assembleTangent(x))(free, free);
+  };
+  const MatrixXd K = tangentOf(0);
+  MatrixXd C = tangentOf(1) - K;
+  Eigen::VectorXd m(free.size());
+  for (std::size_t k = 0; k < free.size(); ++k) m[static_cast<Eigen::Index>(k)] = body.lumpedMass()[free[k] / 3];
+  C += scene.damping.beta * K;
+  C.diagonal() += scene.damping.alpha * m;
+  double low = 0, high = 1;
+  for (int i = 0; i < 60; ++i) {
+    const double h = 0.5 * (low + high);
+    const MatrixXd P = MatrixXd(m.asDiagonal()) - 0.5 * h * C - 0.25 * h * h * K;
+    (Eigen::LLT<MatrixXd>(P).info() == Eigen::Success ? low : high) = h;
+  }
+  return low;
+}
+
+// The critical step of a damped body is one number, whatever step its scene has.
+TEST_F(DampedScene, InspectAndSuggestFindTheOneCriticalStep) {
+  int tried = 0;
+  for (const auto& [material, damping, more] : std::vector<std::array<std::string, 3>>{
+           {"shear_viscosity = 16", "", ""},
+           {"mass_damping = 5", "mass = 20\nstiffness = 2e-4\nbulk_viscosity = true", ""},
+           {"", "", "[[spring]]\nwhere = \"x > 0.2 - 1e-6\"\nstiffness = 5\ndamping = 3\n"}}) {
+    std::string text = sceneOf(material, damping);
+    text.replace(text.find("[10, 2, 2]"), 10, "[4, 1, 1]");
+    text.replace(text.find("velocity = [-0.5, 0.2, 0]"), 25, "velocity = [1e-9, 0, 0]");
+    text += "every = 0.01\n" + more;
+    double critical = 0;
+    for (const std::string step : {"5e-5", "2e-3", "\\\"auto\\\""}) {
+      folder_.write("scene.toml", text);
+      call("run scene.toml --out r --set integrator.step=" + step +
+           " --set integrator.end=1e-2 --set "
+           "monitor.on_violation=warn");
+      const Scene scene = readScene(folder_.path() / "scene.toml", {});
+      std::vector<std::string> notes;
+      if (critical == 0) critical = denseLimit(scene, sceneMesh(scene, notes).X);
+      const Outcome outcome = call("inspect r --frame 1 --global --exact --prove " + test::digits(0.9999 * critical) +
+                                   " --metric reduced-1-ring --json -");
+      ASSERT_EQ(outcome.status, 0) << outcome.err;
+      const auto report = parse(outcome.out);
+      const auto& found = report["critical_step"];
+      const std::string what = joinText(material, damping, more, step);
+      EXPECT_NEAR(found["global"].get<double>() / critical, 1, 1e-7) << what;
+      EXPECT_LE(found["exact"]["safe"], critical * (1 + 1e-7)) << what;
+      EXPECT_GE(found["exact"]["optimistic"], critical * (1 - 1e-7)) << what;
+      EXPECT_LT(found["exact"]["optimistic"].get<double>() / found["exact"]["safe"].get<double>(), 1 + 1.1e-6) << what;
+      EXPECT_LE(found["safe"], critical * (1 + 1e-7)) << what;
+      EXPECT_GE(found["safe"].get<double>(), 0.8 * critical) << what;
+      EXPECT_GE(found["optimistic"], critical * (1 - 1e-7)) << what;
+      EXPECT_LT(found["optimistic"].get<double>(), 1.001 * critical) << what;
+      EXPECT_GE(found["metrics"]["reduced-1-ring"], critical * (1 - 1e-7)) << what;
+      EXPECT_EQ(report["prove"]["verdict"], "certified") << what;
+      EXPECT_EQ(call("inspect r --frame 1 --prove " + test::digits(1.0001 * critical)).status, 1) << what;
+      const auto suggested =
+          parse(call("suggest scene.toml --frame 0.02 --json - --set integrator.step=" + step).out)["start"];
+      EXPECT_LE(suggested["safe"], critical * (1 + 1e-7)) << what;
+      EXPECT_GE(suggested["optimistic"], critical * (1 - 1e-7)) << what;
+      EXPECT_GE(suggested["safe"].get<double>(), 0.8 * critical) << what;
+      ++tried;
+    }
+  }
+  EXPECT_EQ(tried, 9);
+}
+
 TEST_F(DampedScene, RefusesWhatDoesNotGoTogether) {
   const std::string bulk = sceneOf("", "bulk_viscosity = true"), viscous = sceneOf("shear_viscosity = 1", "");
   const auto key = [](const char* name) { return std::string(name) + ": "; };
@@ -507,8 +583,9 @@ TEST_F(DampedScene, HourglassControlIsRefusedWhereItDoesNotFit) {
 TEST_F(DampedScene, OtherCommandsRefuseIt) {
   folder_.write("scene.toml", sceneOf("", "bulk_viscosity = true"));
   expectRefused("compare scene.toml --integrators verlet --out c", "compare takes no elements that damp");
-  expectRefused("advise scene.toml", "takes no elements that damp");
-  expectRefused("scale-mass scene.toml --step 1e-3", "takes no elements that damp");
+  expectRefused("advise scene.toml", "advise takes no elements that damp");
+  expectRefused("scale-mass scene.toml --step 1e-3", "scale-mass takes no elements that damp");
+  expectRefused("suggest scene.toml --frame 0.1 --stretch 0.9:1.1", "--stretch takes no elements that damp");
 }
 
 TEST_F(DampedScene, RefusesEveryKeyByTypeRangeAndName) {

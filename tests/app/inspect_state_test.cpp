@@ -79,6 +79,16 @@ TEST_F(Inspect, CountsWhatAHandlerWouldTake) {
   EXPECT_TRUE(report("slivers.msh --integrator rk4 --step 1e-4" + std::string(material))["handler"].is_null());
 }
 
+TEST_F(Inspect, SaysThatAHandlerOfMostOfTheBodyDoesNotPay) {
+  makeBar();
+  const double safe = report(std::string("bar.msh") + material)["critical_step"]["safe"];
+  const auto text = [&](double times) {
+    return call(std::string("inspect bar.msh --step ") + test::digits(times * safe) + material).out;
+  };
+  EXPECT_THAT(text(50), HasSubstr("where a handler does not pay"));
+  EXPECT_THAT(text(0.9), testing::Not(HasSubstr("does not pay")));
+}
+
 TEST_F(Inspect, TakesADeformedState) {
   makeBar();
   const Mesh mesh = readMesh(folder_.path() / "bar.msh");

@@ -252,7 +252,7 @@ TEST_F(Rigid, RefusesWhatItDoesNotGoWith) {
           "\"torque\" is of a [[rigid]]; there is none");
   folder_.write("scene.toml", base);
   expectRefused("compare scene.toml --integrators verlet", "compare takes no rigid bodies");
-  expectRefused("scale-mass scene.toml --step 3e-4", "a plan at the start of a run takes no rigid bodies");
+  expectRefused("scale-mass scene.toml --step 3e-4", "scale-mass takes no rigid bodies");
 }
 
 /// The bar with the rigid head, and what holds or moves the head.

@@ -170,7 +170,7 @@ TEST_F(Program, RefusesTimesStretchesAndIntegratorsThatSaySomethingElse) {
   expectRefused("suggest tiny.toml --frame 1/60 --set integrator.method=implicit-euler", "has no critical step");
   folder_.write("held.toml", std::string(tiny) + "[[spring]]\nwhere = \"x > 0.1 - 1e-6\"\nstiffness = 10\n");
   expectRefused("scale-mass held.toml --step 1e-3",
-                "held.toml:21: [[spring]]: a plan at the start of a run takes no springs and contact");
+                "held.toml:21: [[spring]]: scale-mass takes no springs and contact");
   folder_.write("rubbing.toml", std::string(tiny) +
                                     "[[obstacle]]\nkind = \"plane\"\npoint = [0, 0, -1]\nnormal = [0, 0, 1]\n"
                                     "[[contact]]\npenalty = 10\nfriction = 0.3\nslip = 0.1\n");
