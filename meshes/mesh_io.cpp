@@ -128,11 +128,15 @@ Mesh loadMesh(const fs::path& path, std::vector<std::string>* notes) {
   return mesh;
 }
 
-MeshState loadVtuState(const fs::path& path, const std::string& displacement, std::vector<std::string>* notes) {
+MeshState readVtuState(const fs::path& path, const std::string& displacement, std::vector<std::string>* notes) {
   const std::string text = detail::readWholeFile(path);
   if (!startsWithXml(text))
     throw InputError(path.string() + ": displacements are read from .vtu files only; this is another format");
-  MeshState state = detail::readVtuState(path, text, displacement, notes);
+  return detail::readVtuState(path, text, displacement, notes);
+}
+
+MeshState loadVtuState(const fs::path& path, const std::string& displacement, std::vector<std::string>* notes) {
+  MeshState state = readVtuState(path, displacement, notes);
   requireSound(state.mesh, path.string(), notes);
   return state;
 }

@@ -67,6 +67,9 @@ struct MeshState {
 /// finite.
 MeshState loadVtuState(const std::filesystem::path& path, const std::string& displacement,
                        std::vector<std::string>* notes = nullptr);
+/// The same without the check, as readMesh: nodes that no element uses stay.
+MeshState readVtuState(const std::filesystem::path& path, const std::string& displacement,
+                       std::vector<std::string>* notes = nullptr);
 
 /// Every problem of a mesh file. Throws InputError where the file cannot be parsed at all; missing nodes and non-finite
 /// coordinates are listed with their line.

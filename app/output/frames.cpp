@@ -5,13 +5,18 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <numeric>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include <ringwatch/app/scene/scene_discrete.h>
 #include <ringwatch/base/error.h>
+#include <ringwatch/body/discrete_forces.h>
 #include <ringwatch/body/element_stress.h>
 #include <ringwatch/meshes/adjacency.h>
+#include <ringwatch/meshes/mesh_io.h>
 #include <ringwatch/monitor/metrics/metrics.h>
 
 namespace ringwatch {
@@ -77,11 +82,74 @@ std::string stepFieldName(const MetricInfo& metric, Direction direction) {
                                           : fmt::format("{} step by {} (s)", stepSide(direction), metric.name);
 }
 
+double stepBy(Direction direction, double lambda, const StepRule& rule) {
+  return direction == Direction::lowerBound ? rule.optimistic({lambda}) : rule(lambda);
+}
+
 FrameField stepField(const MetricResult& metric, const StepRule& rule) {
   FrameField field{stepFieldName(*metric.info, metric.direction), false, {}};
   for (const auto& block : metric.elementLambda)
-    for (const double lambda : block) field.values.push_back(rule(lambda));
+    for (const double lambda : block) field.values.push_back(stepBy(metric.direction, lambda, rule));
   return field;
+}
+
+namespace {
+
+/// Which elements of a whole mesh a frame of it has. Both number the nodes alike. Throws InputError, naming `file`.
+std::vector<std::vector<bool>> elementsIn(const Mesh& frame, const Mesh& whole, const std::string& file) {
+  const auto nodesOf = [](const MeshBlock& block, std::size_t e) {
+    std::vector<std::int32_t> nodes(block.element(e), block.element(e) + block.nodesPerElement());
+    std::ranges::sort(nodes);
+    return nodes;
+  };
+  std::set<std::pair<ElementType, std::vector<std::int32_t>>> left;
+  for (const MeshBlock& block : frame.blocks)
+    for (std::size_t e = 0; e < block.elementCount(); ++e) left.emplace(block.type, nodesOf(block, e));
+  std::size_t found = 0;
+  std::vector<std::vector<bool>> flags;
+  for (const MeshBlock& block : whole.blocks) {
+    flags.emplace_back();
+    for (std::size_t e = 0; e < block.elementCount(); ++e) {
+      flags.back().push_back(left.contains({block.type, nodesOf(block, e)}));
+      found += flags.back().back() ? 1 : 0;
+    }
+  }
+  if (frame.nodeCount() != whole.nodeCount() || found != frame.elementCount())
+    throw InputError(fmt::format("{}: its elements are not of the mesh of the run, which has changed since", file));
+  return flags;
+}
+
+/// As erosion leaves a body.
+Body withElements(Body whole, const std::vector<std::vector<bool>>& left) {
+  if (!whole.discreteForces()) return {whole, left};
+  std::vector<std::int32_t> nodes(static_cast<std::size_t>(whole.nodeCount()));
+  std::iota(nodes.begin(), nodes.end(), 0);
+  DiscreteForces forces = whole.discreteForces()->restrictedTo(nodes);
+  whole.setDiscreteForces(DiscreteForces(whole.nodeCount()));
+  Body body(whole, left);
+  body.setDiscreteForces(std::move(forces));
+  return body;
+}
+
+}  // namespace
+
+BodyState bodyOfFrame(const Scene& scene, const std::filesystem::path& folder, const PvdEntry& frame, int threads,
+                      std::vector<std::string>* notes) {
+  const std::filesystem::path file = folder / frame.file;
+  const auto placed = [&](Body body, NodeVectors x) {
+    if (body.discreteForces()) placeObstacles(scene, frame.time, *body.discreteForces());
+    return BodyState{std::move(body), std::move(x)};
+  };
+  if (!scene.erosion) {
+    MeshState state = loadVtuState(file, "displacement", notes);
+    return placed(sceneBody(scene, std::move(state.mesh), threads, MaterialsBy::mesh), std::move(state.x));
+  }
+  MeshState state = readVtuState(file, "displacement", notes);
+  std::vector<std::string> ofMesh;
+  Body whole = sceneBody(scene, sceneMesh(scene, ofMesh), threads);
+  if (notes) notes->insert(notes->end(), ofMesh.begin(), ofMesh.end());
+  const std::vector<std::vector<bool>> left = elementsIn(state.mesh, whole.mesh(), file.string());
+  return placed(withElements(std::move(whole), left), std::move(state.x));
 }
 
 FrameWriter::FrameWriter(std::filesystem::path folder, const Scene& scene, const Body& body, StepRule rule,
@@ -107,9 +175,10 @@ FrameWriter::Steps FrameWriter::elementSteps(const std::string& metric, const No
   bodyVersion_ = body_.version();
   std::unique_ptr<MetricEvaluator>& evaluator = metrics_[metric];
   if (!evaluator) evaluator = makeMetricEvaluator(metric, body_);
-  Steps steps{stepFieldName(*findMetric(metric), metricDirection(metric, body_)), {}};
+  const Direction direction = metricDirection(metric, body_);
+  Steps steps{stepFieldName(*findMetric(metric), direction), {}};
   for (const auto& block : evaluator->evaluate(x))
-    for (double lambda : block) steps.values.push_back(factor * rule_(lambda));
+    for (double lambda : block) steps.values.push_back(factor * stepBy(direction, lambda, rule_));
   return steps;
 }
 

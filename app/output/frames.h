@@ -22,6 +22,8 @@ std::vector<std::string> frameFieldNames();
 /// step is a statement about the whole body: safe, the body's critical step is at least the least of these; optimistic,
 /// it is at most the least of these; an estimate may lie on either side.
 std::string stepFieldName(const MetricInfo& metric, Direction direction);
+/// The step of a metric's eigenvalue, s, on the side on which the metric errs.
+double stepBy(Direction direction, double lambda, const StepRule& rule);
 /// The step of each element by a metric, s, in the order of blocks and elements, under that name.
 FrameField stepField(const MetricResult& metric, const StepRule& rule);
 /// "safe", "optimistic" or "estimate": the side of the critical step on which a metric's step lies, the opposite of
@@ -30,6 +32,17 @@ std::string_view stepSide(Direction direction);
 
 /// The frames that run.pvd lists in the folder of a run. Throws InputError when the file cannot be read.
 std::vector<PvdEntry> framesOfRun(const std::filesystem::path& folder);
+
+/// A body in a state.
+struct BodyState {
+  Body body;
+  NodeVectors x;  // 3×N, m
+};
+/// The body of a run at one of its frames, obstacles where they are then. Elements that erosion has taken out by then
+/// are left out; their mass stays at the nodes. notes: what the reader has to tell. Throws InputError as loadVtuState,
+/// sceneMesh and sceneBody do, and for a frame of another mesh.
+BodyState bodyOfFrame(const Scene& scene, const std::filesystem::path& folder, const PvdEntry& frame, int threads,
+                      std::vector<std::string>* notes = nullptr);
 
 /// What is known of the body at the state of a frame.
 struct FrameState {

@@ -133,6 +133,38 @@ TEST_F(Erosion, TearsABarAndKeepsMassMomentumAndBalance) {
   EXPECT_EQ(middle, 0);  // no force acts on point masses
 }
 
+// The free end comes off, and with it nodes that conditions of the scene name.
+TEST_F(Erosion, InspectAndReportKnowWhatIsLeft) {
+  std::string scene(tiny);
+  scene.replace(scene.find("velocity = [0.1"),
+                scene.find('\n', scene.find("velocity = [0.1")) - scene.find("velocity = [0.1"),
+                "velocity = [20, 0, 0]");
+  folder_.write("tiny.toml", scene + "[erosion]\nmax_stretch = 1.3\n");
+  call(
+      "run tiny.toml --out r --set integrator.step=5e-4 --set integrator.end=0.02 --set monitor.on_violation=warn "
+      "--set output.every=0.002");
+  const Json summary = json("r/summary.json");
+  ASSERT_GT(summary["erosion"]["elements"].size(), 0) << summary["exit_reason"];
+  const Table history = table("r/history.csv");
+  const int frames = summary["frames"];
+  int eroded = 0;
+  for (int frame = 1; frame < frames; ++frame) {
+    const Outcome outcome = call("inspect r --json - --global --frame " + std::to_string(frame));
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const Json report = parse(outcome.out);
+    EXPECT_NEAR(report["mass"].get<double>(), 0.04, 1e-12);  // what eroded leaves its mass
+    for (std::size_t row = 0; row < history.rows.size(); ++row) {
+      if (std::abs(history.number(row, "time_s") - report["state"]["time"].get<double>()) > 1e-9) continue;
+      EXPECT_LE(history.number(row, "safe_s"), report["critical_step"]["global"].get<double>() * (1 + 1e-9)) << frame;
+      EXPECT_GE(history.number(row, "optimistic_s"), report["critical_step"]["global"].get<double>() * (1 - 1e-9))
+          << frame;
+      eroded += history.number(row, "eroded_elements") > 0;
+    }
+  }
+  EXPECT_GT(eroded, 1);
+  EXPECT_EQ(call("report r").status, 0);
+}
+
 TEST_F(Erosion, TakesElementsWhoseStepIsTooSmall) {
   const std::string start(tiny);
   folder_.write("scene.toml", start + "[[probe]]\nwhat = \"step\"\nmetric = \"single-element\"\n");
