@@ -111,7 +111,7 @@ void analyse(PageContent& page, const Audit& audit, const AuditedState& state) {
                                   state.bracket->safe, state.bracket->optimistic, state.step});
     page.analysis->where = page.where;
   } else {
-    page.analysis = analyseState({audit.body, audit.positions(state), *audit.integrator, audit.rule, audit.damped,
+    page.analysis = analyseState({audit.body, audit.positions(state), *audit.integrator, audit.rule, audit.damping,
                                   state.bracket->safe, state.bracket->optimistic, state.step});
     page.analysis->where = page.where;
   }

@@ -99,7 +99,7 @@ ReportResult writeInspectionReport(const Inspection& inspection, const std::file
                                   inspection.rule, inspection.step.safe, inspection.step.optimistic, inspection.asked});
   } else {
     page.analysis =
-        analyseState({inspection.body, inspection.x, inspection.integrator, inspection.rule, inspection.damped,
+        analyseState({inspection.body, inspection.x, inspection.integrator, inspection.rule, inspection.damping,
                       inspection.step.safe, inspection.step.optimistic, inspection.asked});
   }
   page.analysis->where = inspection.state;

@@ -5,10 +5,13 @@
 #include <cmath>
 #include <memory>
 
+#include <fmt/format.h>
+
 #include <ringwatch/app/command/integrator_catalog.h>
 #include <ringwatch/app/output/frames.h>
 #include <ringwatch/app/scene/scene.h>
 #include <ringwatch/app/scene/scene_discrete.h>
+#include <ringwatch/app/scene/scene_features.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/base/parallel.h>
@@ -46,9 +49,10 @@ constexpr const char* provenSides[] = {"single-element", ringMetric};
 
 /// Wall time of a step, s: the least mean of a few batches, as other programs disturb the rest. Infinite where a step
 /// fails.
-double secondsOfStep(Integrator& integrator, const Body& body, const NodeVectors& x, double h) {
+double secondsOfStep(Integrator& integrator, const Body& body, const RayleighDamping& damping, const NodeVectors& x,
+                     double h) {
   using Clock = std::chrono::steady_clock;
-  BodySystem system(body);
+  BodySystem system(body, damping);
   State state;
   state.x = x;
   state.v = NodeVectors::Zero(3, x.cols());
@@ -74,16 +78,22 @@ std::vector<HandlerTrial> tryHandlers(const AnalysedState& state, double h, doub
     if (info.relaxes) continue;
     HandlerTrial trial;
     trial.handler = std::string(info.name);
+    trial.whyNot = dampingRefusedBy(info, state.damping).second;
+    if (!trial.whyNot.empty()) {
+      trials.push_back(std::move(trial));
+      continue;
+    }
     try {
       Body body = copyOf(state.body);
       const double mass = body.totalMass();
-      const auto handler = entry.make(body, makeIntegrator(state.integrator.name), optionsFor(info, {}));
+      const auto handler =
+          entry.make(body, makeIntegrator(state.integrator.name), optionsFor(info, {.damping = state.damping}));
       handler->prepare(state.x, h);
       if (info.addsMass) {
         trial.addedMass = body.totalMass() - mass;
         trial.addedShare = *trial.addedMass / mass;
       }
-      const double seconds = secondsOfStep(*handler, body, state.x, h);
+      const double seconds = secondsOfStep(*handler, body, state.damping, state.x, h);
       if (std::isfinite(seconds))
         trial.gain = explicitCost / (seconds / h);
       else
@@ -109,13 +119,13 @@ void addWhatIf(const AnalysedState& state, RunAnalysis& analysis) {
   steps.erase(std::unique(steps.begin(), steps.end()), steps.end());
 
   const auto explicitly = makeIntegrator(state.integrator.name);
-  const double explicitCost = secondsOfStep(*explicitly, state.body, state.x, safe) / safe;
+  const double explicitCost = secondsOfStep(*explicitly, state.body, state.damping, state.x, safe) / safe;
   for (const double h : steps) {
     WhatIf row;
     row.h = h;
     row.proven = h <= safe;
     if (!row.proven) {
-      row.way = elementsInTheWay(state.body, state.x, state.integrator, h);
+      row.way = elementsInTheWay(state.body, state.x, state.integrator, state.damping, h);
       if (!row.way.badlyShaped.empty()) row.badNumbers = row.way.badNumbersText(state.body.mesh());
       if (small ? h >= 1.5 * safe || h == state.taken : takenIsLarger ? h == *state.taken : h == 2 * safe)
         row.trials = tryHandlers(state, h, explicitCost);
@@ -157,15 +167,6 @@ void countInTheWay(RunAnalysis& analysis, const Mesh& mesh, std::string name, co
   }
 }
 
-/// "" where handlers are chosen for this body, else why not.
-std::string whyNoHandlers(const AnalysedState& state) {
-  if (!takesHandler(state.integrator))
-    return "no handler goes with the integrator " + std::string(state.integrator.name);
-  if (state.body.discreteForces()) return "handlers do not go with springs, dashpots and contact";
-  if (state.damped) return "handlers do not go with damping";
-  return {};
-}
-
 }  // namespace
 
 const WhatIf* RunAnalysis::inTheWay() const {
@@ -186,9 +187,11 @@ RunAnalysis analyseState(const AnalysedState& state) {
   analysis.distributions = distributionsOf(metrics, state.rule);
   for (const MetricResult& metric : metrics)
     analysis.rules.push_back({std::string(metric.info->name), std::string(metric.info->help),
-                              std::string(stepSide(metric.direction)), state.rule(metric.lambda)});
+                              std::string(stepSide(metric.direction)),
+                              stepBy(metric.direction, metric.lambda, state.rule)});
 
-  analysis.whyNoHandlers = whyNoHandlers(state);
+  analysis.whyNoHandlers = whyNoHandlers(state.body, state.integrator);
+  if (analysis.whyNoHandlers.empty()) analysis.whyNoHandlers = state.whyNoHandlers;
   analysis.couldTakeHandler = analysis.whyNoHandlers.empty();
   const bool bracketed = analysis.safe && *analysis.safe > 0;
   if (analysis.couldTakeHandler && !bracketed) {
@@ -271,15 +274,20 @@ RunAnalysis withoutLimit(const Scene& scene, std::size_t elements) {
 
 RunAnalysis analyseRun(const std::filesystem::path& folder, const std::filesystem::path& frame,
                        std::optional<double> safe, std::optional<double> optimistic, std::optional<double> taken) {
-  Scene scene = sceneOfRun(folder);
-  MeshState state = loadVtuState(folder / frame, "displacement");
-  Body body = sceneBody(scene, std::move(state.mesh), 0);
+  const Scene scene = sceneOfRun(folder);
+  const std::vector<PvdEntry> frames = framesOfRun(folder);
+  const auto entry = std::ranges::find(frames, frame, &PvdEntry::file);
+  if (entry == frames.end()) throw InputError(fmt::format("{}: run.pvd does not list it", (folder / frame).string()));
+  BodyState state = bodyOfFrame(scene, folder, *entry, 0);
+  Body& body = state.body;
   const IntegratorInfo* integrator = integratorCatalog().find(scene.method);
   if (!hasLimit(integrator)) return withoutLimit(scene, body.mesh().elementCount());
-  if (body.discreteForces())
-    for (const PvdEntry& entry : framesOfRun(folder))
-      if (entry.file == frame) placeObstacles(scene, entry.time, *body.discreteForces());
-  const StepRule rule = sceneStepRule(scene, body);
+  // What elements say of the step is tight at the step that the state has, as in inspect.
+  const StepRule rule = body.mesh().elementCount() <= bracketedElements
+                            ? ruleAtOwnStep(scene, body, DampingRates::atRest, ownStepTolerance,
+                                            [&](const StepRule& own) { return criticalStep(body, state.x, own).safe; })
+                                  .rule
+                            : sceneStepRule(scene, body);
   // With a handler the run's bracket is that of the elements that it left explicit; in other modes there is half of
   // one.
   if (!scene.handler.empty() || !safe || !optimistic) {
@@ -290,7 +298,8 @@ RunAnalysis analyseRun(const std::filesystem::path& folder, const std::filesyste
       optimistic = bracket.optimistic;
     }
   }
-  return analyseState({body, state.x, *integrator, rule, scene.damps(), safe, optimistic, taken});
+  return analyseState({body, state.x, *integrator, rule, scene.damping, safe, optimistic, taken,
+                       takesSomeHandler(scene.echo) ? "" : "handlers do not go with all that the scene has"});
 }
 
 RunAnalysis analyseLargeRun(const std::filesystem::path& folder, const VtuFrame& frame) {
@@ -311,7 +320,9 @@ RunAnalysis analyseLargeRun(const std::filesystem::path& folder, const VtuFrame&
     state.waveSpeeds.push_back(makeMaterial(material.model, material.parameters, material.density).waveSpeed());
   for (const FrameField& field : frame.cells)
     if (field.name == "material") state.materialOfElement.assign(field.values.begin(), field.values.end());
-  return analyseFrame(state);
+  RunAnalysis analysis = analyseFrame(state);
+  analysis.couldTakeHandler = takesSomeHandler(scene.echo);
+  return analysis;
 }
 
 }  // namespace ringwatch

@@ -10,6 +10,7 @@
 
 #include <ringwatch/app/command/distribution.h>
 #include <ringwatch/app/command/elements_in_the_way.h>
+#include <ringwatch/integrators/integrator.h>
 #include <ringwatch/meshes/formats/vtu_frame.h>
 
 namespace ringwatch {
@@ -68,8 +69,9 @@ struct AnalysedState {
   const NodeVectors& x;
   const IntegratorInfo& integrator;
   StepRule rule;
-  bool damped = false;
+  RayleighDamping damping;
   std::optional<double> safe, optimistic, taken;  // s
+  std::string whyNoHandlers = {};                 // what the scene of the state says of that; "" for nothing
 };
 
 /// Elements of the largest mesh whose metrics are evaluated. They take about 30 µs an element of one thread.

@@ -6,11 +6,9 @@
 
 #include <fmt/format.h>
 
-#include <ringwatch/app/command/integrator_catalog.h>
 #include <ringwatch/app/report/json_read.h>
-#include <ringwatch/app/scene/scene_keys.h>
+#include <ringwatch/app/scene/scene_features.h>
 #include <ringwatch/base/infinity.h>
-#include <ringwatch/handlers/handler.h>
 #include <ringwatch/meshes/quality.h>
 
 namespace ringwatch {
@@ -201,31 +199,10 @@ void advise(PageVerdict& verdict, const std::vector<std::string>& remedies) {
   verdict.remedies.insert(verdict.remedies.end(), remedies.begin(), remedies.end());
 }
 
-bool materialsDamp(const Json& scene) {
-  const auto found = scene.find("material");
-  if (found == scene.end()) return false;
-  const auto damps = [](const Json& material) {
-    if (!material.is_object()) return false;
-    for (const char* key : materialDampingKeys)
-      if (numberOf(material, key).value_or(0) != 0) return true;
-    return false;
-  };
-  return found->is_array() ? std::any_of(found->begin(), found->end(), damps) : damps(*found);
-}
-
-/// Whether scenes like this one take a handler: readHandlerSection in app/scene/scene.cpp refuses the others.
+/// Whether scenes like this one take a handler.
 bool couldTakeHandler(const Json& summary) {
-  if (!discreteForces(summary).is_null()) return false;
   const Json* scene = objectIn(summary, "scene");
-  if (!scene) return true;
-  const Json *damping = objectIn(*scene, "damping"), *integrator = objectIn(*scene, "integrator");
-  if (damping && (numberOf(*damping, "mass").value_or(0) != 0 || numberOf(*damping, "stiffness").value_or(0) != 0 ||
-                  damping->value("bulk_viscosity", false)))
-    return false;
-  if (materialsDamp(*scene)) return false;
-  if (!integrator) return true;
-  const IntegratorInfo* info = integratorCatalog().find(textOf(*integrator, "method"));
-  return (!info || takesHandler(*info)) && textOf(*integrator, "step") != "auto";
+  return scene && takesSomeHandler(*scene);
 }
 
 void adviseHandler(PageVerdict& verdict, const Json& summary, const RunAnalysis* analysis) {
@@ -351,12 +328,11 @@ std::vector<std::string> remediesFor(const WhatIf& row, const RunAnalysis& analy
 
 std::vector<std::string> largerSteps(const RunAnalysis& analysis) {
   // The largest step that few elements forbid.
-  constexpr double few = 0.1;  // of all
   const WhatIf* found = nullptr;
   for (const WhatIf& row : analysis.whatIf)
     if (!row.proven && (!row.trials.empty() || (!analysis.countedBy.empty() && analysis.couldTakeHandler)) &&
         analysis.safe && row.h >= 1.5 * *analysis.safe &&
-        static_cast<double>(row.way.all.size()) <= few * static_cast<double>(analysis.elements))
+        static_cast<double>(row.way.all.size()) <= fewInTheWay * static_cast<double>(analysis.elements))
       found = &row;
   if (!found) return {};
   std::vector<std::string> remedies{

@@ -384,15 +384,27 @@ TEST_F(Report, OfSpringsThatGovernSaysSo) {
               AllOf(HasSubstr("Softer springs"), Not(HasSubstr("contact")), Not(HasSubstr("handler"))));
 }
 
-TEST_F(Report, OfADampedRunAdvisesNoHandlerAndCountsElementsInTheWay) {
+TEST_F(Report, OfADampedRunAdvisesTheHandlersThatTakeItsDamping) {
   folder_.write("tiny.toml", tiny);
   ASSERT_EQ(call("run tiny.toml --set damping.mass=5 --set integrator.step=4e-3 --set integrator.end=0.2 "
                  "--set output.every=4e-3 --out r --report")
                 .status,
             1);
+  EXPECT_THAT(reportIn(page())["verdict"]["remedies"].dump(), HasSubstr("handler"));
+  EXPECT_THAT(page(), Not(HasSubstr("handlers do not go with")));
+  // So does the run that they say.
+  EXPECT_NE(call("run tiny.toml --set damping.mass=5 --set handler.method=imex --out s").status, 2);
+}
+
+TEST_F(Report, OfElementsThatDampAdvisesNoHandlerAndCountsElementsInTheWay) {
+  folder_.write("tiny.toml", tiny);
+  ASSERT_EQ(call("run tiny.toml --set damping.bulk_viscosity=true --set integrator.step=4e-3 --set integrator.end=0.2 "
+                 "--set output.every=4e-3 --out r --report")
+                .status,
+            1);
   const Json report = reportIn(page());
   EXPECT_THAT(report["verdict"]["remedies"].dump(), Not(HasSubstr("handler")));
-  EXPECT_THAT(page(), HasSubstr("handlers do not go with damping"));
+  EXPECT_THAT(page(), HasSubstr("handlers do not go with elements that damp"));
   const Json& rows = report["analysis"]["what_if"];
   ASSERT_GT(rows.size(), 3u);
   EXPECT_EQ(report["analysis"]["what_if_counted_by"], "optimistic step by reduced-1-ring (s)");
