@@ -13,6 +13,7 @@
 #include <ringwatch/app/command/scene_start.h>
 #include <ringwatch/app/output/report.h>
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/base/user_text.h>
 #include <ringwatch/handlers/handler.h>
 #include <ringwatch/handlers/selection/selection.h>
@@ -31,25 +32,32 @@ constexpr std::string_view kindNames[] = {"explicit", "handler", "implicit"};
 /// Gain of the step from which remeshing is worth a word.
 constexpr double worthRemeshing = 1.05;
 
+/// Gain of computing time up to which two ways are called equally fast: one call measures that much more than another.
+constexpr double noDifference = 1.25;
+
 /// A way to take the step, and how its trial went.
 struct Way {
   std::string name;
   Kind kind;
-  std::string why;  // it cannot be taken, or was lost; then only the name counts
+  std::string why;          // it cannot be taken, or was lost; then only the name counts
+  std::string notRun = {};  // why its trial was all, where others were run
   double step = 0, error = 0, seconds = 0;
   std::size_t elements = 0;              // handled
   std::optional<double> addedMass = {};  // kg
   double gain = 0;                       // over the explicit one
   std::optional<AdvisedRuns::Run> run = {};
-
-  bool within(double allowed) const { return why.empty() && error <= allowed; }
 };
 
 class Trials {
  public:
   /// safe: the step that is proven at the start, s.
   Trials(const AdviseOptions& options, const SceneStart& start, double h, double time, double safe)
-      : start_(start), system_(start.body), h_(h), safe_(safe), end_(time), progress_(options.progress) {
+      : start_(start),
+        system_(start.body, start.scene.damping),
+        h_(h),
+        safe_(safe),
+        end_(time),
+        progress_(options.progress) {
     const double lambda = start.rule.lambdaFor(safe);
     progress_.announce("converging a motion to compare with");
     // A hundredth of what is allowed: the comparison is not its error.
@@ -78,18 +86,18 @@ class Trials {
  private:
   Way plain(const std::string& name, Kind kind, double h) {
     progress_.announce("trying " + name);
-    return from(
-        runPrepared(*case_, name, h,
-                    [&](double) {
-                      return PreparedRun{integratorCatalog().make(name), std::make_unique<BodySystem>(start_.body)};
-                    }),
-        kind);
+    return from(runPrepared(*case_, name, h,
+                            [&](double) {
+                              return PreparedRun{integratorCatalog().make(name), systemOf(start_.body)};
+                            }),
+                kind);
   }
 
   /// With a body of its own, which the handler may change.
   Way handled(const HandlerInfo& info) {
     progress_.announce(fmt::format("trying {}", info.name));
-    Way way;
+    Way way{std::string(info.name), Kind::handler, dampingRefusedBy(info, start_.scene.damping).second};
+    if (!way.why.empty()) return way;
     const double mass = start_.body.totalMass();
     std::size_t elements = 0;
     double heavier = mass;
@@ -103,7 +111,7 @@ class Trials {
                                handler->prepare(start_.state.x, step);
                                elements = handler->elements().size();
                                heavier = body->totalMass();
-                               return PreparedRun{std::move(handler), std::make_unique<BodySystem>(*body), body};
+                               return PreparedRun{std::move(handler), systemOf(*body), body};
                              }),
                  Kind::handler);
     } catch (const std::runtime_error& fault) {
@@ -112,6 +120,10 @@ class Trials {
     way.elements = elements;
     if (info.addsMass) way.addedMass = heavier - mass;
     return way;
+  }
+
+  std::unique_ptr<SecondOrderSystem> systemOf(const Body& body) const {
+    return std::make_unique<BodySystem>(body, start_.scene.damping);
   }
 
   static Way from(const WorkPrecisionRun& run, Kind kind) {
@@ -136,25 +148,35 @@ double safeWithout(const SceneStart& start, const std::vector<ElementRef>& left)
   return criticalStep(Body(start.body, complement(std::move(flags))), start.state.x, start.rule).safe;
 }
 
-/// Steps of h (s) that runs of the scene take: as many as are asked for, up to the scene's end or its first cut, and
-/// not more than are computed in about a minute.
-std::int64_t stepsToRun(const AdviseOptions& options, const SceneStart& start, double h, double own) {
-  constexpr double mostWork = 4e8;  // elements times steps of the explicit run
-  double end = start.scene.end;
-  if (!start.scene.cuts.empty()) end = std::min(end, start.scene.cuts.front().time);
-  const double elements = static_cast<double>(start.body.mesh().elementCount());
-  return static_cast<std::int64_t>(
-      std::min({static_cast<double>(options.runSteps), std::floor(end / h + 1e-9), mostWork / (elements * h / own)}));
+/// The time up to which the body of a scene stays whole, s.
+double wholeUntil(const Scene& scene) {
+  return scene.cuts.empty() ? scene.end : std::min(scene.end, scene.cuts.front().time);
 }
 
-/// Runs those that a trial of `time` seconds leaves: within the error, and not much slower than the explicit run, which
-/// comes first.
+/// Steps of h (s) that runs of the scene take: as many as are asked for, while the body is whole, and not more than are
+/// computed in about a minute.
+std::int64_t stepsToRun(const AdviseOptions& options, const SceneStart& start, double h, double own) {
+  constexpr double mostWork = 4e8;  // elements times steps of the explicit run
+  const double elements = static_cast<double>(start.body.mesh().elementCount());
+  return static_cast<std::int64_t>(
+      std::min({static_cast<double>(options.runSteps), std::floor(wholeUntil(start.scene) / h + 1e-9),
+                mostWork / (elements * h / own)}));
+}
+
+/// Runs those that a trial of `time` seconds leaves: the explicit one, which comes first, and what neither errs more
+/// than is allowed, or than the explicit one does in the trial, nor is much slower than its run.
 void runThose(std::vector<Way>& ways, const AdvisedRuns& runs, double time, double allowed, ProgressLine& progress) {
   constexpr double hopeful = 1.5;  // times as long as explicit
   ways.front().run = runs.explicitRun();
+  const double errs = ways.front().why.empty() ? std::max(allowed, ways.front().error) : allowed;
   for (Way& way : ways) {
-    if (way.run || !way.within(allowed) || way.seconds * runs.time() / time > hopeful * ways.front().run->seconds)
-      continue;
+    if (way.run || !way.why.empty()) continue;
+    const double slower = way.seconds * runs.time() / time / ways.front().run->seconds;
+    if (!(way.error <= errs))
+      way.notRun = fmt::format("an error of {:.2g} in the trial, where {:.2g} is allowed", way.error, errs);
+    else if (slower > hopeful)
+      way.notRun = fmt::format("by its trial it takes {:.3g} times as long", slower);
+    if (!way.notRun.empty()) continue;
     progress.announce("running with " + way.name);
     try {
       way.run = way.kind == Kind::handler ? runs.handled(way.name) : runs.implicit(way.name);
@@ -168,8 +190,8 @@ void runThose(std::vector<Way>& ways, const AdvisedRuns& runs, double time, doub
 std::string tellRuns(const std::vector<Way>& ways, const AdvisedRuns& runs, Json& json) {
   json["runs"] = Json{{"steps", runs.steps()}, {"time", runs.time()}};
   std::string text = fmt::format(
-      "runs over {} steps, {:.6g} s, of those that are not much slower, watched, handlers with on_violation = "
-      "\"handle\":\n  {:<18} {:>11} {:>13} {:>9} {:>9}\n",
+      "runs over {} steps, {:.6g} s, watched, handlers with on_violation = \"handle\":\n"
+      "  {:<18} {:>11} {:>13} {:>9} {:>9}\n",
       runs.steps(), runs.time(), "", "steps", "computing, s", "gain", "error");
   if (!runs.noReference().empty()) {
     json["runs"]["no_reference"] = runs.noReference();
@@ -177,6 +199,10 @@ std::string tellRuns(const std::vector<Way>& ways, const AdvisedRuns& runs, Json
   }
   const double explicitly = ways.front().run->seconds;
   for (std::size_t w = 0; w < ways.size(); ++w) {
+    if (!ways[w].notRun.empty()) {
+      json["ways"][w]["not_run"] = ways[w].notRun;
+      text += fmt::format("  {:<18} not run: {}\n", ways[w].name, ways[w].notRun);
+    }
     if (!ways[w].run) continue;
     const AdvisedRuns::Run& run = *ways[w].run;
     Json& row = json["ways"][w]["run"];
@@ -195,39 +221,76 @@ std::string tellRuns(const std::vector<Way>& ways, const AdvisedRuns& runs, Json
   return text;
 }
 
-/// With runs, they decide; else the trials do.
-std::string verdictOf(const std::vector<Way>& ways, double allowed, const AdvisedRuns* runs, Json& json) {
-  const auto seconds = [&](const Way& way) { return runs ? way.run->seconds : way.seconds; };
-  const auto good = [&](const Way& way) {
-    if (!runs) return way.within(allowed);
-    return way.run && way.run->lost.empty() && (way.run->error <= allowed || !runs->noReference().empty());
-  };
-  const Way* best = nullptr;
-  for (const Way& way : ways)
-    if (good(way) && (!best || seconds(way) < seconds(*best))) best = &way;
-  json["best"] = best ? Json(best->name) : Json(nullptr);
-  const std::string span = runs ? fmt::format("over {} steps ", runs->steps()) : "";
-  if (!best)
-    return fmt::format("none of them keeps the error {}within {:.3g} %: take smaller steps", span, 100 * allowed);
-  if (best->kind == Kind::explicitly)
-    return fmt::format("stay with {} at {:.6g} s: {}within an error of {:.3g} % nothing else is faster", best->name,
-                       best->step, span, 100 * allowed);
-  const double gain = seconds(ways.front()) / seconds(*best);
-  return fmt::format("take {}{}: {}within an error of {:.3g} % it is the fastest, {:.3g} times as fast as {}{}",
-                     best->kind == Kind::handler ? "the handler " : "", best->name, span, 100 * allowed, gain,
-                     ways.front().name,
-                     runs && best->kind == Kind::handler ? "; set monitor.on_violation = \"handle\"" : "");
-}
+/// What the runs say, or without runs the trials: of nothing else is anything claimed. Among those that are as fast as
+/// the fastest, the explicit one is the best, else the one that errs least.
+class Advice {
+ public:
+  /// steps: of what decides.
+  Advice(const std::vector<Way>& ways, double allowed, const AdvisedRuns* runs, std::int64_t steps)
+      : runs_(runs), allowed_(allowed), explicit_(ways.front()) {
+    where_ = fmt::format("{} {} steps", runs ? "over" : "in trials of", steps);
+    for (const Way& way : ways) {
+      if (runs ? !way.run || !way.run->lost.empty() : !way.why.empty()) continue;
+      ++seen_;
+      if (errorKnown() ? error(way) <= allowed : runs != nullptr) good_.push_back(&way);
+    }
+    const auto least = [&](const auto& of) { return *std::ranges::min_element(good_, {}, of); };
+    if (good_.empty()) return;
+    const double fastest = seconds(*least([&](const Way* way) { return seconds(*way); }));
+    std::erase_if(good_, [&](const Way* way) { return way != &explicit_ && seconds(*way) > noDifference * fastest; });
+    const bool explicitly = good_.front() == &explicit_ && seconds(explicit_) <= noDifference * fastest;
+    best_ = explicitly ? &explicit_ : least([&](const Way* way) {
+      return way == &explicit_ ? infinity : errorKnown() ? error(*way) : seconds(*way);
+    });
+  }
+
+  std::string tell(Json& json) const {
+    json["best"] = best_ ? Json(best_->name) : Json(nullptr);
+    json["as_fast"] = Json::array();
+    const std::string allowed = fmt::format("{:.3g} %", 100 * allowed_);
+    if (!best_)
+      return fmt::format("none of those that were {} keeps the error {} within {}: take smaller steps",
+                         runs_ ? "run" : "tried", where_, allowed);
+    std::vector<std::string> asFast;
+    for (const Way* way : good_)
+      if (way != best_ && way != &explicit_) asFast.push_back(way->name);
+    json["as_fast"] = asFast;
+    const std::string within =
+        errorKnown() ? fmt::format("within an error of {}", allowed) : "whose errors are not known";
+    if (best_ == &explicit_)
+      return fmt::format(
+          "stay with {} at {:.6g} s: {}, {}, {}", best_->name, best_->step, where_, within,
+          seen_ == 1 ? fmt::format("nothing else was {}", runs_ ? "run" : "tried to its end")
+          : asFast.empty()
+              ? fmt::format("none of the {} others that were {} is faster", seen_ - 1, runs_ ? "run" : "tried")
+              : fmt::format("none is faster by more than {:.3g} times ({})", noDifference, fmt::join(asFast, ", ")));
+    return fmt::format("take {}{}: {}, {}, it is {:.3g} times as fast as {}{}{}",
+                       best_->kind == Kind::handler ? "the handler " : "", best_->name, where_, within,
+                       seconds(explicit_) / seconds(*best_), explicit_.name,
+                       asFast.empty() ? "" : fmt::format("; no slower: {}", fmt::join(asFast, ", ")),
+                       runs_ && best_->kind == Kind::handler ? "; set monitor.on_violation = \"handle\"" : "");
+  }
+
+ private:
+  bool errorKnown() const { return !runs_ || runs_->noReference().empty(); }
+  double seconds(const Way& way) const { return runs_ ? way.run->seconds : way.seconds; }
+  double error(const Way& way) const { return runs_ ? way.run->error : way.error; }
+
+  const AdvisedRuns* runs_;
+  double allowed_;
+  const Way& explicit_;
+  std::string where_;
+  int seen_ = 0;                  // that came to their end
+  std::vector<const Way*> good_;  // as fast as the fastest, and the explicit one
+  const Way* best_ = nullptr;
+};
 
 }  // namespace
 
 AdviseResult adviseScene(const AdviseOptions& options) {
-  const SceneStart start = startOf(options.scene, options.overrides, options.threads);
+  const SceneStart start = startOf(options.scene, options.overrides, options.threads, SceneUse::advise);
   const Scene& scene = start.scene;
   const std::string file = scene.file.string();
-  if (scene.damping.any())
-    throw InputError(fmt::format("{}: handlers do not work with [damping]; remove it to be advised", file));
-  if (!scene.timed.empty()) throw InputError(fmt::format("{}: advise takes no {}", scene.timed, scene.timedBy));
   if (!takesHandler(*start.integrator))
     throw InputError(
         fmt::format("{}: integrator.method = {}: takes no handler; choose another with --set "
@@ -239,7 +302,7 @@ AdviseResult adviseScene(const AdviseOptions& options) {
                     "that you want with --step",
                     file));
   const double h = options.step ? *options.step : *scene.step;
-  const double time = options.time.value_or(std::min(scene.end, adviseSteps * h));
+  const double time = options.time.value_or(std::min(wholeUntil(scene), adviseSteps * h));
   if (time < h)
     throw InputError(fmt::format("{}: {} s is less than one step of {} s",
                                  options.time ? std::string("--time") : file + ": integrator.end", time, h));
@@ -263,23 +326,24 @@ AdviseResult adviseScene(const AdviseOptions& options) {
     return result;
   }
 
-  const ElementsInTheWay way = elementsInTheWay(body, start.state.x, *start.integrator, h);
+  const ElementsInTheWay way = elementsInTheWay(body, start.state.x, *start.integrator, scene.damping, h);
   const std::size_t count = way.all.size(), bad = way.badlyShaped.size();
   json["in_the_way"] = Json{{"elements", count}, {"badly_shaped", bad}, {"shapes", Json::object()}};
   for (const auto& [shape, number] : way.badShapes) json["in_the_way"]["shapes"][shape] = number;
-  result.text +=
-      fmt::format("  {} of {} elements are in the way; {}\n", count, body.mesh().elementCount(),
-                  bad == 0 ? std::string("none of them is badly shaped")
-                           : fmt::format("{} of them {} badly shaped ({}): {} in the mesh", bad,
-                                         bad == 1 ? "is" : "are", way.shapesText(), way.badNumbersText(body.mesh())));
+  result.text += fmt::format(
+      "  {} of {} elements are in the way; {}{}\n", count, body.mesh().elementCount(),
+      bad == 0 ? std::string("none of them is badly shaped")
+               : fmt::format("{} of them {} badly shaped ({}): {} in the mesh", bad, bad == 1 ? "is" : "are",
+                             way.shapesText(), way.badNumbersText(body.mesh())),
+      count > fewInTheWay * static_cast<double>(body.mesh().elementCount()) ? "; handlers are for few" : "");
 
   std::vector<Way> ways = Trials(options, start, h, time, bracket.safe).all();
   json["time"] = time;
   json["allowed_error"] = options.error;
   result.text += fmt::format(
-      "trials over {:.6g} s; error of the displacement against a converged motion:\n"
+      "trials over {:.6g} s, {:.0f} steps; error of the displacement against a converged motion:\n"
       "  {:<18} {:>11} {:>9} {:>13} {:>11} {:>9} {:>9}\n",
-      time, "", "step, s", "handled", "added mass, %", "computing, s", "gain", "error");
+      time, std::ceil(time / h - 1e-9), "", "step, s", "handled", "added mass, %", "computing, s", "gain", "error");
   for (const Way& one : ways) {
     Json row{{"name", one.name}, {"kind", std::string(kindNames[static_cast<std::size_t>(one.kind)])}};
     if (!one.why.empty()) {
@@ -304,11 +368,13 @@ AdviseResult adviseScene(const AdviseOptions& options) {
   if (const std::int64_t steps = stepsToRun(options, start, h, own); steps > 0) {
     ProgressLine progress(options.progress);
     progress.announce("running the scene in small steps");
-    runs.emplace(start, h, own, steps);
+    runs.emplace(start, h, own, steps, options.progress);
     runThose(ways, *runs, time, options.error, progress);
     result.text += tellRuns(ways, *runs, json);
   }
-  result.text += verdictOf(ways, options.error, runs ? &*runs : nullptr, json) + "\n";
+  const auto trialSteps = static_cast<std::int64_t>(std::ceil(time / h - 1e-9));
+  result.text +=
+      Advice(ways, options.error, runs ? &*runs : nullptr, runs ? runs->steps() : trialSteps).tell(json) + "\n";
   if (bad > 0) {
     const double without = safeWithout(start, way.badlyShaped);
     json["remeshed"] = without;

@@ -31,8 +31,8 @@ struct AdviseResult {
 /// What a scene can do to take a step that is larger than its safe one: the elements in the way, what each handler and
 /// implicit integrator costs and errs by in a short trial against a converged motion, the mass that would be added,
 /// what becomes of those that are worth it in a run of the scene, and the step that the mesh would allow without its
-/// badly shaped elements. Throws InputError for bad input and for scenes that no handler takes: damped ones, those with
-/// springs, contact, motions or loads in time.
+/// badly shaped elements. It says no more than what was tried and run says. Throws InputError for bad input and for
+/// scenes that it does not take (requireTaken).
 AdviseResult adviseScene(const AdviseOptions& options);
 
 }  // namespace ringwatch

@@ -51,9 +51,10 @@ class Sampler final : public RunListener {
 
 }  // namespace
 
-AdvisedRuns::AdvisedRuns(const SceneStart& start, double h, double own, std::int64_t steps)
+AdvisedRuns::AdvisedRuns(const SceneStart& start, double h, double own, std::int64_t steps, bool progress)
     : start_(start),
       h_(h),
+      progress_(progress),
       samples_(static_cast<std::size_t>(std::clamp<std::int64_t>(steps / stepsPerSample, 1, mostSamples))) {
   const auto moments = static_cast<std::int64_t>(samples_);
   steps_ = std::max<std::int64_t>(1, steps / moments) * moments;
@@ -108,6 +109,9 @@ AdvisedRuns::Run AdvisedRuns::run(const Settings& settings, Moments& moments) co
   scene.certificates.reset();
   scene.checkpointInterval.reset();
   scene.frameInterval.reset();
+  scene.exactTimes = false;
+  scene.probes.clear();
+  scene.reactions = false;
   scene.cuts.clear();
   scene.picture = false;
   scene.energy = true;
@@ -123,7 +127,7 @@ AdvisedRuns::Run AdvisedRuns::run(const Settings& settings, Moments& moments) co
     Body body = copyOf(start_.body);
     RunOptions options;
     options.folder = folder.path();
-    options.progress = false;
+    options.progress = progress_;
     options.listener = &sampler;
     const RunResult done = runScene(scene, body, options);
     sampler.complete(done);

@@ -22,8 +22,8 @@ class AdvisedRuns {
   };
 
   /// Over `steps` steps of h (s), or fewer that divide into the moments. own: the step of the explicit run, s. The
-  /// start must outlive this.
-  AdvisedRuns(const SceneStart& start, double h, double own, std::int64_t steps);
+  /// start must outlive this. progress: a line on a terminal during each run.
+  AdvisedRuns(const SceneStart& start, double h, double own, std::int64_t steps, bool progress);
 
   std::int64_t steps() const { return steps_; }
   double time() const { return static_cast<double>(steps_) * h_; }  // s
@@ -50,6 +50,7 @@ class AdvisedRuns {
 
   const SceneStart& start_;
   double h_;
+  bool progress_;
   std::size_t samples_;
   std::int64_t steps_;
   Moments reference_;
