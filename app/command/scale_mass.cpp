@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -49,9 +50,19 @@ std::vector<double> byMaterial(const Body& body, const std::vector<int>& materia
   return result;
 }
 
+/// Nodes with added mass, the most of it first.
+std::vector<std::int32_t> heaviestFirst(const Eigen::VectorXd& added) {
+  std::vector<std::int32_t> nodes;
+  for (std::int32_t i = 0; i < added.size(); ++i)
+    if (added[i] > 0) nodes.push_back(i);
+  std::ranges::stable_sort(nodes, std::greater<>(), [&](std::int32_t i) { return added[i]; });
+  return nodes;
+}
+
 struct Told {
   Json json;
   std::string text;
+  std::string list;  // of the nodes that get most
 };
 
 /// The plan proves `wanted`; the bracket is computed apart from it.
@@ -61,28 +72,36 @@ Told tell(const SceneStart& start, double wanted, const char* what, const MassPl
   const double mass = body.totalMass();
   Told told;
   const Body heavier = withAddedMass(body, plan.added);
-  const auto nodes = static_cast<std::size_t>((plan.added.array() > 0).count());
+  const std::vector<std::int32_t> nodes = heaviestFirst(plan.added);
+  Json masses = Json::array();
+  for (const std::int32_t i : nodes)
+    masses.push_back({{"node", i}, {"id", body.mesh().nodeId(i)}, {"mass", plan.added[i]}});
   const CriticalStep step = criticalStep(heavier, start.state.x, start.rule);
   const std::vector<double> after = lowestFrequencies(body, start.state.x, heavier.lumpedMass());
   told.json = Json{{"added_mass", plan.total()},
                    {"added_share", plan.total() / mass},
-                   {"nodes", nodes},
+                   {"nodes", nodes.size()},
+                   {"masses", std::move(masses)},
                    {"safe", std::max(wanted, step.safe)},
                    {"optimistic", step.optimistic},
                    {"frequencies", after},
                    {"parts", byMaterial(body, materialOfBlocks(body.mesh()), plan.added)}};
   told.text = fmt::format("  {:<22} {:>11.5g} kg  {:>9.4g} %  {:>7} nodes", what, plan.total(),
-                          100 * plan.total() / mass, nodes);
+                          100 * plan.total() / mass, nodes.size());
   for (std::size_t k = 0; k < std::min(before.size(), after.size()); ++k)
     told.text += fmt::format("  {:>9.5g} Hz ({:+.3g} %)", after[k], 100 * (after[k] / before[k] - 1));
   told.text += "\n";
+  constexpr std::size_t shown = 8;
+  for (std::size_t k = 0; k < std::min(shown, nodes.size()); ++k)
+    told.list += fmt::format("{}{} {:.4g}", k == 0 ? "" : ", ", body.mesh().nodeId(nodes[k]), plan.added[nodes[k]]);
+  if (nodes.size() > shown) told.list += fmt::format(" and {} more (--json lists all)", nodes.size() - shown);
   return told;
 }
 
 }  // namespace
 
 ScaleMassResult planMass(const ScaleMassOptions& options) {
-  const SceneStart start = startOf(options.scene, options.overrides, options.threads);
+  const SceneStart start = startOf(options.scene, options.overrides, options.threads, SceneUse::scaleMass);
   if (!start.rule.proven())
     throw InputError(
         fmt::format("{}: with damping the limit of {} is searched for, not proven, so no mass is proven either",
@@ -118,6 +137,7 @@ ScaleMassResult planMass(const ScaleMassOptions& options) {
                           addedMassByElement(start.body, start.state.x, lambda), before);
   json["plans"] = Json{{"by_node", least.json}, {"by_element", usual.json}};
   result.text += least.text + usual.text;
+  result.text += fmt::format("  little, at nodes, by their numbers, kg: {}\n", least.list);
   if (start.scene.materials.size() > 1) {
     result.text += "  by material, kg:";
     for (std::size_t m = 0; m < start.scene.materials.size(); ++m)

@@ -57,6 +57,13 @@ where = "x < 1e-6"
                 1e-12 * report["mass"].get<double>());
     EXPECT_NEAR(plan["added_share"].get<double>() * report["mass"].get<double>(), plan["added_mass"].get<double>(),
                 1e-15);
+    ASSERT_EQ(plan["masses"].size(), plan["nodes"]);
+    double listed = 0;
+    for (const Json& one : plan["masses"]) {
+      EXPECT_EQ(one["id"], one["node"].get<int>() + 1);
+      listed += one["mass"].get<double>();
+    }
+    EXPECT_NEAR(listed, plan["added_mass"].get<double>(), 1e-12 * listed);
     ASSERT_EQ(plan["frequencies"].size(), 3u);
     for (int k = 0; k < 3; ++k) EXPECT_LT(plan["frequencies"][k], report["frequencies"][k]);
   }

@@ -2,9 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/handlers/mass_scaling/mass_plan.h>
+#include <ringwatch/meshes/generators/generators.h>
 #include <tests/handlers/handler_cases.h>
 
 namespace ringwatch {
@@ -45,6 +47,57 @@ TEST(MassPlan, ProvesTheLimitWithLessThanHandlerAndElementFormula) {
       ++tried;
     }
   EXPECT_EQ(tried, 8);
+}
+
+/// What single nodes of a plan can do without, one after the other, while lambda (M + added) - K stays positive
+/// definite, kg.
+double superfluous(const Body& body, const Eigen::MatrixXd& K, Eigen::VectorXd added, double lambda) {
+  std::vector<Eigen::Index> free;
+  for (std::int32_t i = 0; i < body.nodeCount(); ++i)
+    for (int c = 0; c < 3; ++c)
+      if (!body.constraints().isConstrained(i, c)) free.push_back(3 * i + c);
+  const Eigen::MatrixXd freeK = K(free, free);
+  const auto holds = [&] {
+    Eigen::MatrixXd A = -freeK;
+    for (std::size_t k = 0; k < free.size(); ++k) {
+      const Eigen::Index node = free[k] / 3, row = static_cast<Eigen::Index>(k);
+      A(row, row) += lambda * (body.lumpedMass()[node] + added[node]);
+    }
+    return Eigen::LLT<Eigen::MatrixXd>(A).info() == Eigen::Success;
+  };
+  const double before = added.sum();
+  for (std::int32_t i = 0; i < body.nodeCount(); ++i) {
+    double low = 0, high = added[i];
+    for (int k = 0; k < 7 && high > 0; ++k) {
+      added[i] = k == 0 ? 0 : 0.5 * (low + high);
+      (holds() ? high : low) = added[i];
+    }
+    added[i] = high;
+  }
+  return before - added.sum();
+}
+
+TEST(MassPlan, HasLittleThatANodeCouldDoWithout) {
+  BarOptions options;
+  options.size = {0.1, 0.04, 0.04};
+  options.cells = std::array<int, 3>{5, 2, 2};
+  options.jitter = 0.35;
+  options.seed = 3;
+  Body body(generateBar(options), makeMaterial("stvk", test::young, test::poisson, test::density),
+            {{}, Lumping::rowSum, 1});
+  for (const std::int32_t i : body.mesh().nodeSets.at("x-min")) body.constraints().fix(i);
+  const NodeVectors& X = body.mesh().X;
+  const Eigen::MatrixXd K = body.assembleTangent(X);
+  for (const double factor : {1.2, 1.5}) {
+    const double lambda = denseHighest(body, X) / (factor * factor);
+    const MassPlan plan = planAddedMass(body, X, lambda);
+    EXPECT_LE(highestWith(body, plan.added), lambda);
+    EXPECT_LE(superfluous(body, K, plan.added, lambda), 0.01 * plan.total()) << factor;
+    // What the usual formula adds is mostly superfluous.
+    const MassPlan usual = addedMassByElement(body, X, lambda);
+    EXPECT_GE(superfluous(body, K, usual.added, lambda), 0.5 * usual.total()) << factor;
+    EXPECT_LE(plan.total(), 1.02 * (usual.total() - superfluous(body, K, usual.added, lambda))) << factor;
+  }
 }
 
 TEST(MassPlan, IsExactForOneFreeNode) {
