@@ -10,6 +10,7 @@
 #include <ringwatch/app/command/progress.h>
 #include <ringwatch/app/output/report.h>
 #include <ringwatch/app/scene/scene.h>
+#include <ringwatch/app/scene/scene_features.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/base/user_text.h>
@@ -69,6 +70,8 @@ void applyLaw(Scene& scene, const AuditOptions& options) {
   }
   for (const auto& [name, value] : options.parameters) material.parameters.set(name, value);
   for (const std::string& text : options.fix) scene.fixes.push_back(parseFix(text, "--fix"));
+  for (auto& [element, rule] : parseRules(options.rules, "--rule")) scene.rules[element] = rule;
+  scene.lumping = options.lumping.value_or(scene.lumping);
 }
 
 /// The rule of the run's steps, its limit h omega, and the integrator, where that is known.
@@ -293,12 +296,7 @@ class AuditReport {
 AuditResult auditResults(const AuditOptions& options) {
   Scene scene = sceneOfAudit(options);
   applyLaw(scene, options);
-  if (scene.hasElementDamping())
-    throw InputError(fmt::format("{}: audit takes no elements that damp", scene.elementDampingOrigin));
-  if (scene.hasDiscreteForces())
-    throw InputError(fmt::format("{}: audit takes no springs and contact", scene.discreteOrigin()));
-  if (!scene.rigids.empty())
-    throw InputError(fmt::format("{}: audit takes no rigid bodies", scene.rigids.front().origin));
+  requireTaken(scene, SceneUse::audit);
   double limit = 0;
   const IntegratorInfo* integrator = nullptr;
   const StepRule rule = ruleOf(scene, options, limit, integrator);
@@ -359,7 +357,7 @@ AuditResult auditResults(const AuditOptions& options) {
   AuditReport(body, states).write(result, events, options.all);
   result.json["history"] = std::move(list);
   if (options.page)
-    options.page({name, body, integrator, rule, scene.damping.any(), states, events,
+    options.page({name, body, integrator, rule, scene.damping, states, events,
                   [&](const AuditedState& state) { return positions(state.index); }, result.json, notes});
   return result;
 }

@@ -11,12 +11,11 @@
 #include <ringwatch/app/command/exit_status.h>
 #include <ringwatch/base/options.h>
 #include <ringwatch/body/body.h>
+#include <ringwatch/integrators/integrator.h>
 #include <ringwatch/monitor/critical_step.h>
 #include <ringwatch/monitor/stability_monitor.h>
 
 namespace ringwatch {
-
-struct IntegratorInfo;
 
 /// A state of another program's results, and what is proven of it.
 struct AuditedState {
@@ -53,7 +52,7 @@ struct Audit {
   const Body& body;
   const IntegratorInfo* integrator;  // nullptr where only its limit is known
   StepRule rule;
-  bool damped = false;
+  RayleighDamping damping;
   const std::vector<AuditedState>& states;
   const std::vector<AuditEvent>& events;
   std::function<NodeVectors(const AuditedState&)> positions;  // 3×N, m
@@ -73,8 +72,10 @@ struct AuditOptions {
   std::optional<double> limit;                 // h omega of their integrator
   std::string integrator;                      // one of ours with that limit; "" for symplectic-euler
   std::vector<std::string> fix;                // nodes that are held, as inspect's
-  int every = 1;                               // every so many states
-  bool all = false;                            // a line of the table for every state
+  std::vector<std::string> rules;              // ELEMENT=RULE: quadrature rules
+  std::optional<Lumping> lumping;
+  int every = 1;     // every so many states
+  bool all = false;  // a line of the table for every state
   int threads = 0;
   std::function<void(const Audit&)> page;  // is called with what was found; empty for none
 };

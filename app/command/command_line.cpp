@@ -483,6 +483,18 @@ struct CompareCommand {
   }
 };
 
+/// How masses and tangents of elements are made.
+void declareMatrices(CLI::App& command, std::string& lumping, std::vector<std::string>& rules) {
+  command
+      .add_option("--lumping", lumping,
+                  fmt::format("how an element's mass goes to its nodes (default: {}): {}",
+                              lumpingNames.nameOf(InspectOptions::usualLumping), lumpingNames.listing()))
+      ->type_name("LUMPING");
+  command.add_option("--rule", rules, "ELEMENT=RULE, a quadrature rule, e.g. hex8=selective; may be given again")
+      ->type_name("ELEMENT=RULE")
+      ->allow_extra_args(false);
+}
+
 struct InspectCommand {
   InspectOptions options;
   JsonOption json;
@@ -519,16 +531,7 @@ struct InspectCommand {
             "--integrator", options.integrator,
             fmt::format("integrator whose stability limit counts (default: {})", InspectOptions::usualIntegrator))
         ->type_name("INTEGRATOR");
-    command
-        ->add_option("--lumping", lumping,
-                     fmt::format("how an element's mass goes to its nodes (default: {}): {}",
-                                 lumpingNames.nameOf(InspectOptions::usualLumping), lumpingNames.listing()))
-        ->type_name("LUMPING");
-    command
-        ->add_option("--rule", options.rules,
-                     "ELEMENT=RULE, a quadrature rule, e.g. hex8=selective; may be given again")
-        ->type_name("ELEMENT=RULE")
-        ->allow_extra_args(false);
+    declareMatrices(*command, lumping, options.rules);
     addTime(*command, "--step", options.step,
             "list the elements that need a smaller step than this, s, and count what a handler would take");
     command->add_option("--metric", options.metrics, "metrics, separated by commas, or all")
@@ -596,7 +599,7 @@ struct InspectCommand {
 struct AuditCommand {
   AuditOptions options;
   JsonOption json;
-  std::string page, typed;
+  std::string page, typed, lumping;
 
   void declare(CLI::App& app) {
     CLI::App* command =
@@ -623,6 +626,7 @@ struct AuditCommand {
     command->add_option("--limit", options.limit, "largest stable h omega of theirs, instead of --integrator");
     command->add_option("--fix", options.fix, "nodes that are held, as with ringwatch inspect; may be given again")
         ->allow_extra_args(false);
+    declareMatrices(*command, lumping, options.rules);
     command->add_option("--every", options.every, "every so many states (default: 1)")->check(CLI::Range(1, 1000000));
     command->add_flag("--all", options.all, "a line of the table for every state; --json always has them");
     json.declare(*command, "numbers");
@@ -644,6 +648,7 @@ struct AuditCommand {
         whole.json = withProvenance(std::move(whole.json), typed, options.scene);
         written = reportText(neededReportWriters().ofAudit(whole, page));
       };
+    if (!lumping.empty()) options.lumping = lumpingNames.valueOf("--lumping", lumping);
     const AuditResult result = auditResults(options);
     json.write(result.json, result.text + written);
     return result.status;

@@ -156,6 +156,26 @@ TEST_F(Audits, AgreeWithInspectAboutFrames) {
   }
 }
 
+TEST_F(Audits, TakeRulesAndLumpingAsInspectDoes) {
+  folder_.write("scene.toml", test::tiny);
+  ASSERT_EQ(
+      call("run scene.toml --out r --set output.picture=false --set mesh.element=hex8 --set mesh.jitter=0.2").status,
+      0);
+  std::vector<double> steps;
+  for (const std::string options :
+       {"", " --rule hex8=uniform-strain", " --lumping equal", " --rule hex8=selective --lumping diagonal-scaling"}) {
+    const Json state = audit("r/run.pvd" + options + test::material, 0)["history"][2];
+    const Json inspected = parse(
+        call("inspect r/frames/frame_000003.vtu --displacement displacement --json -" + options + test::material).out);
+    for (const char* side : {"safe", "optimistic"})
+      EXPECT_NEAR(state[side].get<double>() / inspected["critical_step"][side].get<double>(), 1, 1e-9) << options;
+    for (const double other : steps) EXPECT_GT(std::abs(state["safe"].get<double>() / other - 1), 1e-4) << options;
+    steps.push_back(state["safe"]);
+  }
+  expectRefused("audit r/run.pvd --rule hex8=selectiv" + std::string(test::material), "did you mean \"selective\"?");
+  expectRefused("audit r/run.pvd --lumping even" + std::string(test::material), "--lumping");
+}
+
 TEST_F(Audits, RefuseBadInput) {
   writeVtk("a0.vtk", 0, 0, [](const Eigen::Vector3d& X) { return X; });
   const std::string material = test::material;
