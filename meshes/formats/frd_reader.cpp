@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -48,16 +49,55 @@ class FrdText {
       failAt(position, joinText(what, " is ", detail::quoted(word), "; it must be an integer"));
     return value;
   }
-  /// Words such as -NAN and INF are numbers, and 1.00000-100 is one of three digits in its exponent.
-  double real(std::string_view word, std::string_view what, std::size_t position) const {
-    std::string copy(word);
-    const std::size_t sign = copy.find_last_of("+-");
-    if (sign != std::string::npos && sign > 0 && copy[sign - 1] >= '0' && copy[sign - 1] <= '9') copy.insert(sign, "E");
-    char* end = nullptr;
-    const double value = std::strtod(copy.c_str(), &end);
-    if (copy.empty() || *end != '\0')
-      failAt(position, joinText(what, " is ", detail::quoted(word), "; it must be a number"));
-    return value;
+  /// The numbers from a column on, as %12.5E writes them, at most so many. what(i): the name of the ith. An exponent of
+  /// three digits, which C on Windows always writes, makes some wider than 12 columns, so the text tells where each
+  /// ends; none is narrower. Words such as -NAN and INF are numbers, and 1.00000-100 is one without its E.
+  template <class What>
+  std::vector<double> reals(const Line& line, std::size_t first, std::size_t most, const What& what) const {
+    const std::string_view text = line.text;
+    const auto isDigit = [&](std::size_t i) { return i < text.size() && text[i] >= '0' && text[i] <= '9'; };
+    const auto isOneOf = [&](std::size_t i, std::string_view set) {
+      return i < text.size() && set.find(text[i]) != std::string_view::npos;
+    };
+    std::vector<double> values;
+    for (std::size_t at = first; at < text.size() && values.size() < most;) {
+      const std::size_t field = at;
+      while (isOneOf(at, " ")) ++at;  // none ends the line
+      const std::size_t begin = at;
+      std::string number;
+      if (isOneOf(at, "+-")) number += text[at++];
+      if (isDigit(at)) {
+        while (isDigit(at)) number += text[at++];
+        if (isOneOf(at, ".")) number += text[at++];
+        while (isDigit(at)) number += text[at++];
+        const bool letter = isOneOf(at, "EeDd");
+        // A sign alone begins an exponent where no point follows its first digit: else it is the next number's.
+        if (letter || (isOneOf(at, "+-") && isDigit(at + 1) && !isOneOf(at + 2, "."))) {
+          if (letter) ++at;
+          number += 'e';
+          if (isOneOf(at, "+-")) number += text[at++];
+          for (int digits = 0; digits < 3 && isDigit(at) && !isOneOf(at + 1, "."); ++digits) number += text[at++];
+        }
+      } else {
+        while (at < text.size() && std::isalpha(static_cast<unsigned char>(text[at]))) number += text[at++];
+      }
+      char* end = nullptr;
+      const double value = std::strtod(number.c_str(), &end);
+      if (number.empty() || *end != '\0' || at < field + 12 || (at < text.size() && !isOneOf(at, " +-0123456789")))
+        failAt(line.position,
+               joinText(what(values.size()), " is ", detail::quoted(text.substr(begin, text.find(' ', begin) - begin)),
+                        "; it must be a number"));
+      values.push_back(value);
+    }
+    return values;
+  }
+  /// The three numbers of a node's line, or the first three of more. name: what each of them is, without its axis.
+  Eigen::Vector3d vector(const Line& line, std::size_t first, std::size_t most, std::string_view name) const {
+    const std::vector<double> values =
+        reals(line, first, most, [&](std::size_t i) { return joinText(name, " ", i < 3 ? "xyz"[i] : '?'); });
+    if (values.size() < 3 || values.size() > most - 1)
+      failAt(line.position, joinText("the line has ", values.size(), " numbers behind its node; it must have 3"));
+    return Eigen::Vector3d::Map(values.data());
   }
   /// Characters of a number of a node or an element, by the format that ends a block's first line: 0 short, 1 long.
   int idWidth(const Line& line) const {
@@ -116,9 +156,7 @@ class FrdMeshReader {
       if (line->text.starts_with(" -3")) return;
       if (!line->text.starts_with(" -1"))
         text_.failAt(line->position, "a line of the nodes begins with neither -1 nor -3");
-      double X[3];
-      for (int c = 0; c < 3; ++c)
-        X[c] = text_.real(line->field(3 + width + 12 * c, 12), joinText("coordinate ", "xyz"[c]), line->position);
+      const Eigen::Vector3d X = text_.vector(*line, 3 + static_cast<std::size_t>(width), 4, "coordinate");
       builder_.addNode(text_.integer(line->field(3, width), "the number of a node", line->position), X[0], X[1], X[2],
                        line->position);
     }
@@ -134,9 +172,11 @@ class FrdMeshReader {
       if (nodes.size() != static_cast<std::size_t>(type->nodes))
         text_.failAt(position, joinText("element ", id, " (", type->name(), ") has ", nodes.size(),
                                         " nodes; it must have ", type->nodes));
-      // The twelfth to the sixteenth of a hex20 are those of the edges along its height, which VTK has last.
+      // The middles of the edges along the height of a hex20 and a wedge15 stand before those of its top, which VTK has
+      // before them.
       if (type->vtkCellType == 25) std::rotate(nodes.begin() + 12, nodes.begin() + 16, nodes.end());
-      builder_.addElement(*type, id, nodes.data(), -1, position, false);
+      if (type->vtkCellType == 26) std::rotate(nodes.begin() + 9, nodes.begin() + 12, nodes.end());
+      builder_.addElement(*type, id, nodes.data(), -1, position);
       nodes.clear();
       type = nullptr;
     };
@@ -180,7 +220,9 @@ std::vector<FrdState> frdStates(const std::filesystem::path& path, const std::st
       state.increment = lines.integer(line->field(36, 12), "the increment", line->position);
       state.step = lines.integer(line->field(48, 12), "the step", line->position);
     } else if (line->text.starts_with(resultBlock)) {
-      state.time = lines.real(line->field(12, 12), "the time", line->position);
+      const std::vector<double> numbers = lines.reals(*line, 12, 1, [](std::size_t) { return "the time"; });
+      if (numbers.empty()) lines.failAt(line->position, "the line of the results has no time");
+      state.time = numbers.front();
       state.idWidth = lines.idWidth(*line);
     } else if (line->text.starts_with(" -4") && line->field(5, 8) == field) {
       std::optional<FrdText::Line> value = line;
@@ -204,10 +246,8 @@ std::vector<std::pair<std::int64_t, Eigen::Vector3d>> frdVectors(const std::file
   while (const auto line = lines.next()) {
     if (line->text.starts_with(" -3")) return vectors;
     if (!line->text.starts_with(" -1")) lines.failAt(line->position, "a line of a field begins with neither -1 nor -3");
-    Eigen::Vector3d value;
-    for (int c = 0; c < 3; ++c)
-      value[c] = lines.real(line->field(3 + state.idWidth + 12 * c, 12), "a value", line->position);
-    vectors.emplace_back(lines.integer(line->field(3, state.idWidth), "the number of a node", line->position), value);
+    vectors.emplace_back(lines.integer(line->field(3, state.idWidth), "the number of a node", line->position),
+                         lines.vector(*line, 3 + static_cast<std::size_t>(state.idWidth), 7, "component"));
   }
   throw InputError(path.string() + ": the file ends within a field; is it cut short?");
 }

@@ -2,8 +2,10 @@
 // against plain numbers, bounds and bracket against dense eigenvalues, files in both node orders, and what is refused.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <cstdio>
 
 #include <cmath>
+#include <cstdio>
 
 #include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/body/register_element.h>
@@ -267,7 +269,21 @@ TEST_F(RegisteredElement, IsReadInTheNodeOrderOfEachFormat) {
       "7 .5 0 -1\n8 .5 .5 -1\n9 0 .5 -1\n10 .5 0 1\n11 .5 .5 1\n12 0 .5 1\n13 0 0 0\n14 1 0 0\n15 0 1 0\n";
   std::replace(deck.begin(), deck.end(), ' ', ',');
   test::writeBytes(folder / "prism.inp", deck + "*ELEMENT, TYPE=C3D15\n1,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15\n");
-  for (const std::string name : {"prism.msh", "prism.inp"}) {
+  // CalculiX 2.20 writes that element into its results with the middles along its height before those of its top.
+  std::string results = "    1C\n    2C" + std::string(27, ' ') + "15" + std::string(37, ' ') + "1\n";
+  char line[80];
+  for (int a = 0; a < 15; ++a) {
+    const auto& X = Wedge15::referenceNodes[a];
+    std::snprintf(line, sizeof line, " -1%10d%12.5E%12.5E%12.5E\n", a + 1, X[0], X[1], X[2]);
+    results += line;
+  }
+  test::writeBytes(
+      folder / "prism.frd",
+      results + " -3\n    3C" + std::string(28, ' ') + "1" + std::string(37, ' ') +
+          "1\n -1         1    5    0    1\n -2         1         2         3         4         5         6"
+          "         7         8         9        13\n -2        14        15        10        11        "
+          "12\n -3\n 9999\n");
+  for (const std::string name : {"prism.msh", "prism.inp", "prism.frd"}) {
     const Mesh mesh = loadMesh(folder / name, nullptr);
     ASSERT_EQ(mesh.blocks.size(), 1u) << name;
     EXPECT_EQ(mesh.blocks[0].type, info().type) << name;
