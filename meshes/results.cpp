@@ -1,11 +1,13 @@
 #include <ringwatch/meshes/results.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <memory>
 #include <unordered_map>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/sort_unique.h>
 #include <ringwatch/meshes/formats/file_cursor.h>
 #include <ringwatch/meshes/formats/mesh_readers.h>
 #include <ringwatch/meshes/mesh_io.h>
@@ -49,6 +51,7 @@ fs::path pieceOf(const fs::path& file) {
 detail::ResultFrame readFrame(const fs::path& file, const std::vector<std::string>& names,
                               std::vector<std::string>* notes) {
   const std::string text = detail::readWholeFile(file);
+  detail::refuseForeign(file, text);
   if (text.starts_with("# vtk DataFile")) return detail::readLegacyVtkResult(file, text, names, notes);
   return detail::readVtuResult(file, text, names, notes);
 }
@@ -64,7 +67,47 @@ void requireSameElements(const Mesh& first, const Mesh& mesh, const std::string&
                               " of the first state; every state must have the same"));
 }
 
+/// Whole numbers that differ; empty for others.
+std::vector<std::int64_t> differentNumbers(const std::vector<double>& values) {
+  std::vector<std::int64_t> numbers;
+  for (const double value : values) {
+    constexpr double largest = 9007199254740992;  // up to which a double holds every whole number
+    if (!(std::abs(value) <= largest) || value != std::floor(value)) return {};
+    numbers.push_back(static_cast<std::int64_t>(value));
+  }
+  std::vector<std::int64_t> sorted = numbers;
+  sortUnique(sorted);
+  return sorted.size() == numbers.size() ? numbers : std::vector<std::int64_t>();
+}
+
 }  // namespace
+
+void detail::takeNodeNumbers(ResultFrame& frame, const std::vector<double>& values) {
+  if (std::vector<std::int64_t> numbers = differentNumbers(values); numbers.size() == frame.mesh.nodeCount())
+    frame.mesh.nodeIds = std::move(numbers);
+}
+
+void detail::takeCellField(ResultFrame& frame, const std::string& name, const std::vector<double>& values) {
+  if (values.size() != frame.mesh.elementCount()) return;
+  const bool numbers = name == "ELEMENT_ID", eroded = name == "EROSION_STATUS", status = name == "STATUS";
+  const auto isFlag = [](double value) { return value == 0 || value == 1; };
+  std::vector<std::int64_t> ids;
+  if (numbers && (ids = differentNumbers(values)).empty()) return;
+  if (!numbers && !eroded && !(status && std::ranges::all_of(values, isFlag))) return;
+  if (!numbers) frame.deleted.clear();
+  std::size_t first = 0;
+  for (MeshBlock& block : frame.mesh.blocks) {
+    const std::size_t count = block.elementCount();
+    if (numbers) {
+      block.ids.assign(ids.begin() + static_cast<std::ptrdiff_t>(first),
+                       ids.begin() + static_cast<std::ptrdiff_t>(first + count));
+    } else {
+      std::vector<bool>& deleted = frame.deleted.emplace_back(count);
+      for (std::size_t e = 0; e < count; ++e) deleted[e] = (values[first + e] != 0) == eroded;
+    }
+    first += count;
+  }
+}
 
 std::vector<PvdEntry> readPvd(const fs::path& file) {
   std::vector<PvdEntry> entries;
@@ -139,6 +182,7 @@ void ResultSeries::openVtk(const std::vector<fs::path>& files, const std::string
     requireSameElements(mesh_, frame.mesh, frames[i].string());
     moved = moved || frame.mesh.X != mesh_.X;
     entries_.push_back({times[i] ? times[i] : frame.time, frame.increment, frames[i].string()});
+    deleted_.push_back(frame.deleted);
   }
   if (!moved)
     throw InputError(joinText(frames.front().string(),

@@ -34,6 +34,11 @@ class ResultSeries {
   const std::vector<ResultEntry>& entries() const { return entries_; }
   /// Positions of state i, 3×N, m. They may be not finite, where the program went on after it had lost the run.
   NodeVectors positions(std::size_t i) const { return positions_(i); }
+  /// Elements that the other program has deleted in state i, [block][element]; empty where its files tell of none.
+  const std::vector<std::vector<bool>>& deleted(std::size_t i) const {
+    static const std::vector<std::vector<bool>> none;
+    return i < deleted_.size() ? deleted_[i] : none;
+  }
   /// How the positions come about: the name of the field, or "" for deformed points.
   const std::string& displacement() const { return displacement_; }
 
@@ -45,6 +50,7 @@ class ResultSeries {
   Mesh mesh_;
   std::vector<ResultEntry> entries_;
   std::function<NodeVectors(std::size_t)> positions_;
+  std::vector<std::vector<std::vector<bool>>> deleted_;  // by state
   std::string displacement_;
 };
 

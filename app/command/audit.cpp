@@ -153,22 +153,78 @@ std::vector<std::optional<double>> stepsTaken(const std::vector<ResultEntry>& en
   return steps;
 }
 
-AuditedState audited(const Body& body, const NodeVectors& x, const StepRule& rule, AuditedState state) {
+/// body: nullptr where every element is deleted.
+AuditedState audited(const Body* body, const NodeVectors& x, const StepRule& rule, AuditedState state) {
   for (Eigen::Index i = 0; i < x.cols(); ++i) state.notFinite += x.col(i).allFinite() ? 0 : 1;
   if (state.notFinite > 0) {
     state.why = fmt::format("{} of {} nodes are not finite", state.notFinite, x.cols());
     return state;
   }
-  state.least = body.leastDeterminant(x, Body::Among::whereInversionIsAnError);
+  if (body == nullptr) {
+    state.why = "every element is deleted";
+    return state;
+  }
+  state.least = body->leastDeterminant(x, Body::Among::whereInversionIsAnError);
   Body::Workspace workspace;
-  state.strainEnergy = body.energy(x, workspace);
+  state.strainEnergy = body->energy(x, workspace);
   try {
-    state.bracket = criticalStep(body, x, rule);
+    state.bracket = criticalStep(*body, x, rule);
   } catch (const NumericalError& fault) {
     state.why = fault.what();
   }
   return state;
 }
+
+/// The audited body without the elements that the other program has deleted; their masses stay at their nodes.
+class StandingBody {
+ public:
+  explicit StandingBody(const Body& whole) : whole_(whole) {}
+
+  /// deleted: elements of the results, which the body has by the same numbers or, without a scene, in the same places.
+  /// nullptr where no element is left.
+  const Body* without(const std::vector<std::vector<bool>>& deleted, const Mesh& results, bool samePlaces,
+                      const std::string& where) {
+    if (deleted != deleted_) {
+      deleted_ = deleted;
+      left_.reset();
+      stays_.clear();
+      count_ = 0;
+      for (const MeshBlock& block : whole_.mesh().blocks) stays_.emplace_back(block.elementCount(), true);
+      for (std::size_t b = 0; b < deleted.size(); ++b)
+        for (std::size_t e = 0; e < deleted[b].size(); ++e) {
+          if (!deleted[b][e]) continue;
+          const ElementRef own = samePlaces ? ElementRef{b, e} : numbered(results.blocks[b].id(e), where);
+          stays_[static_cast<std::size_t>(own.block)][static_cast<std::size_t>(own.element)] = false;
+          ++count_;
+        }
+      if (count_ > 0 && count_ < whole_.mesh().elementCount()) left_.emplace(whole_, stays_);
+    }
+    return left_ ? &*left_ : count_ == 0 ? &whole_ : nullptr;
+  }
+  std::size_t deletedElements() const { return count_; }
+  /// The place in the whole body of an element that is left.
+  ElementRef inWhole(ElementRef left) const {
+    if (!left_) return left;
+    const std::vector<bool>& stays = stays_[static_cast<std::size_t>(left.block)];
+    std::size_t e = 0;
+    for (std::int32_t before = 0; e < stays.size() && (!stays[e] || before < left.element); ++e)
+      before += stays[e] ? 1 : 0;
+    return {left.block, e};
+  }
+
+ private:
+  ElementRef numbered(std::int64_t id, const std::string& where) const {
+    for (std::size_t b = 0; b < whole_.mesh().blocks.size(); ++b)
+      for (std::size_t e = 0; e < whole_.mesh().blocks[b].elementCount(); ++e)
+        if (whole_.mesh().blocks[b].id(e) == id) return {b, e};
+    throw InputError(fmt::format("{}: element {} is deleted, which the scene's mesh does not have", where, id));
+  }
+
+  const Body& whole_;
+  std::vector<std::vector<bool>> deleted_, stays_;
+  std::optional<Body> left_;
+  std::size_t count_ = 0;
+};
 
 std::string numberText(std::optional<double> value) {
   return value && std::isfinite(*value) ? fmt::format("{:.6g}", *value) : "-";
@@ -196,7 +252,8 @@ Json stateJson(const Mesh& mesh, const AuditedState& state) {
       {"least_determinant", state.least && std::isfinite(state.least->value) ? Json(state.least->value) : Json()},
       {"inverted", state.inverted()},
       {"indefinite", state.indefinite()},
-      {"not_finite_nodes", state.notFinite}};
+      {"not_finite_nodes", state.notFinite},
+      {"deleted_elements", state.deleted}};
   if (!state.why.empty()) json["why"] = state.why;
   return json;
 }
@@ -329,13 +386,27 @@ AuditResult auditResults(const AuditOptions& options) {
   };
   std::vector<AuditedState> states;
   ProgressLine progress(true);
+  StandingBody standing(body);
   for (std::size_t i = 0; i < entries.size(); i += static_cast<std::size_t>(options.every)) {
+    const Body* left = standing.without(series.deleted(i), series.mesh(), options.scene.empty(), entries[i].where);
     states.push_back(
-        audited(body, positions(i), rule, {i, entries[i].time, steps[i], entries[i].increment, entries[i].where}));
+        audited(left, positions(i), rule, {i, entries[i].time, steps[i], entries[i].increment, entries[i].where}));
+    AuditedState& state = states.back();
+    state.deleted = standing.deletedElements();
+    if (state.least) state.least->element = standing.inWhole(state.least->element);
+    if (state.bracket)
+      for (ElementRef* element :
+           {&state.bracket->controlling, &state.bracket->lowestRingElement, &state.bracket->worstConditioned})
+        *element = standing.inWhole(*element);
     const double done = static_cast<double>(i + 1) / static_cast<double>(entries.size());
     if (progress.due()) progress.show(fmt::format("state {} of {}", i + 1, entries.size()), done);
   }
   progress.clear();
+  if (const auto most = std::ranges::max_element(states, {}, &AuditedState::deleted); most->deleted > 0)
+    notes.push_back(
+        fmt::format("elements that the other program has deleted are left out of their states, {} of {} in "
+                    "state {}; their masses stay at their nodes",
+                    most->deleted, body.mesh().elementCount(), most->index + 1));
   const CriticalStep rest = criticalStep(body, body.mesh().X, rule);
 
   AuditResult result;

@@ -24,6 +24,7 @@ struct AuditedState {
   std::optional<std::int64_t> increment;
   std::string where;                      // file or step of the results
   std::size_t notFinite = 0;              // nodes
+  std::size_t deleted = 0;                // elements, by the other program
   std::optional<CriticalStep> bracket{};  // empty where the state has none
   std::string why = {};                   // it has none
   std::optional<Body::LeastDeterminant> least{};

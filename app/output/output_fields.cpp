@@ -381,6 +381,7 @@ constexpr OutputField auditing[] = {
     {"history[].inverted", "", "whether an element is", F::boolean},
     {"history[].indefinite", "", "whether the tangent is proven to be", F::boolean},
     {"history[].not_finite_nodes", "", "nodes whose position is not finite", F::integer},
+    {"history[].deleted_elements", "", "elements that the other program has deleted; they are left out", F::integer},
     {"history[].why", "", "why there is no bracket", F::text, P::sometimes},
 };
 

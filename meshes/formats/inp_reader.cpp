@@ -173,6 +173,7 @@ class Deck {
         ++skipped_["*ELEMENT, TYPE=" + inUpperCase(keyword_.value("TYPE"))];
       else
         reading_ = Reading::elements;
+      skipFormulation(inUpperCase(keyword_.value("TYPE")));
     } else if (name == "NSET" || name == "ELSET") {
       if (keyword_.value(name).empty()) refuse("needs the name of the set, " + name + "=");
       reading_ = name == "NSET" ? Reading::nodeSet : Reading::elementSet;
@@ -193,6 +194,13 @@ class Deck {
       ++skipped_["*" + name];
     }
     if (reading_ != Reading::nothing && keyword_.has("INPUT")) lines_.include(keyword_);
+  }
+
+  /// Solids with letters behind their number are of another quadrature or formulation than the plain ones.
+  void skipFormulation(const std::string& type) {
+    if (type_ == nullptr || type_->dimension < 3 || std::isdigit(static_cast<unsigned char>(type.back()))) return;
+    const bool uniform = type.starts_with("C3D8R");
+    ++skipped_[joinText("the formulation of ", type, uniform ? ", which rules = [\"hex8=uniform-strain\"] has" : "")];
   }
 
   /// Blocks that a line of their own ends.
@@ -522,7 +530,7 @@ class Deck {
         }
         group = entry->second;
       }
-      builder_.addElement(*element.type, element.id, element.nodes.data(), group, element.position, false);
+      builder_.addElement(*element.type, element.id, element.nodes.data(), group, element.position);
     }
   }
   void addNodeSets() {

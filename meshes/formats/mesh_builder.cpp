@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <unordered_map>
 
 #include <ringwatch/base/error.h>
@@ -60,7 +61,70 @@ class NodeIndex {
   std::unordered_map<std::int64_t, std::int32_t> map_;
 };
 
+/// The tetrahedron, pyramid or wedge that is left of an element whose nodes are not all different: its faces are those
+/// of the element without repeated corners, where three are left. left: its nodes. nullptr for any other shape.
+const FileElement* collapsed(const ElementInfo& info, const std::int64_t* nodes, std::array<std::int64_t, 6>& left) {
+  using Face = std::vector<std::int64_t>;
+  std::vector<Face> triangles, quads;
+  for (const auto& corners : info.faces) {
+    Face face;
+    for (const int corner : corners)
+      if (corner >= 0 && (face.empty() || face.back() != nodes[corner])) face.push_back(nodes[corner]);
+    if (face.size() > 1 && face.front() == face.back()) face.pop_back();
+    Face different = face;
+    sortUnique(different);
+    if (face.size() < 3) continue;
+    if (different.size() != face.size()) return nullptr;
+    (face.size() == 3 ? triangles : quads).push_back(std::move(face));
+  }
+  std::vector<std::int64_t> all(nodes, nodes + info.nodes);
+  sortUnique(all);
+  const auto holds = [](const Face& face, std::int64_t node) {
+    return std::find(face.begin(), face.end(), node) != face.end();
+  };
+  /// Faces look outward, the first face of an element inward.
+  const auto copyInward = [&](const Face& base) {
+    for (std::size_t i = 0; i < base.size(); ++i) left[i] = base[(base.size() - i) % base.size()];
+  };
+  const bool pyramid = all.size() == 5 && quads.size() == 1 && triangles.size() == 4;
+  if (pyramid || (all.size() == 4 && triangles.size() >= 2)) {
+    const Face& base = pyramid ? quads.front() : triangles.front();
+    copyInward(base);
+    left[base.size()] = *std::find_if(all.begin(), all.end(), [&](std::int64_t node) { return !holds(base, node); });
+    return findVtkElement(pyramid ? 14 : 10);
+  }
+  if (all.size() != 6 || quads.size() != 3 || triangles.size() != 2) return nullptr;
+  const Face& base = triangles.front();
+  copyInward(base);
+  for (std::size_t i = 0; i < 3; ++i) {
+    left[3 + i] = -1;
+    for (const Face& quad : quads)
+      for (std::size_t k = 0; k < 4; ++k)
+        for (const std::int64_t above : {quad[(k + 1) % 4], quad[(k + 3) % 4]})
+          if (quad[k] == left[i] && !holds(base, above)) left[3 + i] = above;
+    if (left[3 + i] < 0) return nullptr;
+  }
+  return findVtkElement(13);
+}
+
 }  // namespace
+
+VtkCell vtkCell(int vtkCellType, std::size_t nodes) {
+  // Lagrange cells, as dolfinx writes them, of so few nodes have the nodes of the usual cell in our order
+  // (vtkLagrangeTetra, vtkLagrangeHexahedron, vtkLagrangeWedge). A voxel has rows of nodes where a hexahedron has
+  // rings.
+  struct Lagrange {
+    int type;
+    std::size_t nodes;
+    int usual;
+  };
+  constexpr Lagrange lagrange[] = {{71, 4, 10}, {71, 10, 24}, {72, 8, 12}, {73, 6, 13}};
+  for (const Lagrange& cell : lagrange)
+    if (cell.type == vtkCellType && cell.nodes == nodes) return {findVtkElement(cell.usual)};
+  constexpr int voxel = 11, hexahedron = 12, wedge = 13;
+  if (vtkCellType == voxel) return {findVtkElement(hexahedron), NodeOrder::vtkVoxel};
+  return {findVtkElement(vtkCellType), vtkCellType == wedge ? NodeOrder::vtkWedge : NodeOrder::ours};
+}
 
 const FileElement* findGmshElement(int gmshType) {
   for (const FileElement& e : fileElements)
@@ -81,7 +145,8 @@ const ElementInfo* elementOf(const FileElement& type) {
 }
 
 std::size_t requireVolumes(std::span<const FoundElements> found, std::size_t nodes, const std::string& source,
-                           const std::function<std::string(std::size_t position)>& where, const std::string& hint) {
+                           const std::function<std::string(std::size_t position)>& where, const std::string& hint,
+                           std::size_t leftOut) {
   std::string unsupported;
   std::size_t firstPosition = 0, dropped = 0;
   bool volumes = false, hex27 = false;
@@ -104,7 +169,7 @@ std::size_t requireVolumes(std::span<const FoundElements> found, std::size_t nod
                  hex27 ? "; gmsh writes hex20 in place of hex27 with Mesh.SecondOrderIncomplete = 1" : ""));
   }
   if (!volumes)
-    throw InputError(joinText(source, ": there are no volume elements, only ", dropped,
+    throw InputError(joinText(source, ": there are no volume elements, only ", dropped + leftOut,
                               " of surfaces, lines or points; a mesh of tetrahedra or hexahedra is needed", hint));
   constexpr std::size_t limit = std::numeric_limits<std::int32_t>::max();
   if (nodes > limit) throw InputError(joinText(source, ": ", nodes, " nodes; at most ", limit, " are possible"));
@@ -121,34 +186,108 @@ std::vector<std::string> droppedNote(const std::string& source, std::size_t drop
                    " elements of surfaces, lines or points are kept only as node sets of their groups")};
 }
 
+MeshBuilder::Elements& MeshBuilder::listOf(const FileElement& type) {
+  const auto found =
+      std::find_if(elements_.rbegin(), elements_.rend(), [&](const Elements& e) { return e.type == &type; });
+  return found != elements_.rend() ? *found : elements_.emplace_back(Elements{&type, elementOf(type), {}, {}, {}, {}});
+}
+
 void MeshBuilder::addElement(const FileElement& type, std::int64_t id, const std::int64_t* nodes, int group,
-                             std::size_t position, bool gmshOrder) {
-  auto found = std::find_if(elements_.rbegin(), elements_.rend(), [&](const Elements& e) { return e.type == &type; });
-  Elements* list = found != elements_.rend() ? &*found : nullptr;
-  if (list == nullptr) {
-    list = &elements_.emplace_back(Elements{&type, elementOf(type), {}, {}, {}, {}, 0});
-  }
-  ++list->count;
+                             std::size_t position, NodeOrder order) {
+  Elements* list = &listOf(type);
   if (list->info == nullptr) {
+    ++list->count;
     if (type.dimension == 3) {
       if (list->positions.empty()) list->positions.push_back(position);  // for the message
       return;
     }
     if (group < 0) return;
   }
-  const std::size_t count = type.nodes;
-  const bool turned = gmshOrder && list->info != nullptr && !list->info->gmshOrder.empty();
-  for (std::size_t i = 0; i < count; ++i) list->nodes.push_back(nodes[turned ? list->info->gmshOrder[i] : i]);
+  constexpr std::array<std::uint8_t, 8> voxelOrder{0, 1, 3, 2, 4, 5, 7, 6};
+  const std::span<const std::uint8_t> places = list->info == nullptr          ? std::span<const std::uint8_t>()
+                                               : order == NodeOrder::gmsh     ? list->info->gmshOrder
+                                               : order == NodeOrder::vtkWedge ? vtkWedgeOrder
+                                               : order == NodeOrder::vtkVoxel ? voxelOrder
+                                                                              : std::span<const std::uint8_t>();
+  const auto count = static_cast<std::size_t>(type.nodes);
+  const auto node = [&](std::size_t i) { return nodes[places.empty() ? i : places[i]]; };
+  std::array<std::int64_t, 8> own;
+  if (list->info != nullptr && list->info->order == 1 && count <= own.size()) {
+    bool repeated = false;
+    for (std::size_t i = 0; i < count; ++i) {
+      own[i] = node(i);
+      for (std::size_t k = 0; k < i; ++k) repeated = repeated || own[k] == own[i];
+    }
+    std::array<std::int64_t, 6> left;
+    if (const FileElement* other = repeated ? collapsed(*list->info, own.data(), left) : nullptr) {
+      ++collapsed_[{type.name(), other->name()}];
+      return addElement(*other, id, left.data(), group, position);
+    }
+  }
+  if (list->info != nullptr) ++list->count;
+  for (std::size_t i = 0; i < count; ++i) list->nodes.push_back(node(i));
   list->ids.push_back(id);
   list->groups.push_back(group);
   list->positions.push_back(position);
 }
 
+std::size_t MeshBuilder::mergeGroups(Elements& list) {
+  const auto width = static_cast<std::ptrdiff_t>(list.type->nodes);
+  const auto nodesOf = [&](std::size_t e) {
+    const auto first = list.nodes.begin() + width * static_cast<std::ptrdiff_t>(e);
+    return std::span(first, first + width);
+  };
+  if (std::ranges::adjacent_find(list.groups, std::ranges::not_equal_to()) == list.groups.end()) return 0;
+  std::vector<std::size_t> order(list.ids.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return std::ranges::lexicographical_compare(nodesOf(a), nodesOf(b));
+  });
+  std::vector<bool> again(list.ids.size());
+  std::map<std::pair<int, int>, int> both;
+  for (std::size_t i = 1, first = 0; i < order.size(); ++i) {
+    int& group = list.groups[order[first]];
+    const int other = list.groups[order[i]];
+    if (!std::ranges::equal(nodesOf(order[i]), nodesOf(order[first]))) {
+      first = i;
+    } else if (group >= 0 && other >= 0 && group != other) {
+      const auto [known, isNew] = both.try_emplace({group, other}, 0);
+      if (isNew) {
+        std::vector<std::string> names = groups_[group];
+        names.insert(names.end(), groups_[other].begin(), groups_[other].end());
+        known->second = addGroup(std::move(names));
+      }
+      group = known->second;
+      again[order[i]] = true;
+    }
+  }
+  std::size_t kept = 0;
+  for (std::size_t e = 0; e < again.size(); ++e) {
+    if (again[e]) continue;
+    std::ranges::copy(nodesOf(e), list.nodes.begin() + width * static_cast<std::ptrdiff_t>(kept));
+    list.ids[kept] = list.ids[e];
+    list.groups[kept] = list.groups[e];
+    list.positions[kept++] = list.positions[e];
+  }
+  list.nodes.resize(kept * static_cast<std::size_t>(width));
+  list.ids.resize(kept);
+  list.groups.resize(kept);
+  list.positions.resize(kept);
+  list.count -= again.size() - kept;
+  return again.size() - kept;
+}
+
 Mesh MeshBuilder::finish(std::vector<std::string>* notes, std::vector<MeshProblem>* problems) {
+  // A list may have lost all that it had to another type.
+  std::erase_if(elements_, [](const Elements& list) { return list.count == 0; });
+  std::size_t merged = 0;
+  if (mergesGroups)
+    for (Elements& list : elements_)
+      if (list.info != nullptr) merged += mergeGroups(list);
   std::vector<FoundElements> found;
   for (const Elements& list : elements_)
     found.push_back({list.type, list.count, list.positions.empty() ? 0 : list.positions[0]});
-  const std::size_t dropped = requireVolumes(found, nodeIds_.size(), source_, elementWhere_, noVolumeHint);
+  const std::size_t dropped = requireVolumes(found, nodeIds_.size(), source_, elementWhere_, noVolumeHint, leftOut);
 
   Mesh mesh;
   mesh.X = Eigen::Map<const NodeVectors>(coordinates_.data(), 3, static_cast<Eigen::Index>(nodeIds_.size()));
@@ -210,7 +349,9 @@ Mesh MeshBuilder::finish(std::vector<std::string>* notes, std::vector<MeshProble
         for (std::size_t a = 0; a < width; ++a)
           if (connectivity[e * width + a] >= 0) set->push_back(connectivity[e * width + a]);
     }
-    if (list.info != nullptr) mesh.blocks.push_back({list.info->type, std::move(connectivity), list.ids});
+    if (list.info == nullptr) continue;
+    mesh.blocks.push_back({list.info->type, std::move(connectivity), list.ids});
+    positions_.push_back(list.positions);
   }
   for (const auto& [name, ids] : nodeSetIds_)
     for (const std::int64_t id : ids) mesh.nodeSets[name].push_back(index.find(id));
@@ -218,8 +359,13 @@ Mesh MeshBuilder::finish(std::vector<std::string>* notes, std::vector<MeshProble
     sortUnique(nodes);
   }
   mesh.nodeIds = std::move(nodeIds_);
-  if (notes != nullptr)
-    for (std::string& note : droppedNote(source_, dropped)) notes->push_back(std::move(note));
+  if (notes == nullptr) return mesh;
+  for (std::string& note : droppedNote(source_, dropped)) notes->push_back(std::move(note));
+  for (const auto& [types, count] : collapsed_)
+    notes->push_back(joinText(source_, ": ", count, " ", types.first,
+                              " that hold a node several times are read as the ", types.second, " that are left"));
+  if (merged > 0)
+    notes->push_back(joinText(source_, ": ", merged, " elements that stand once more for another group are read once"));
   return mesh;
 }
 

@@ -1,9 +1,12 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <ringwatch/base/error.h>
@@ -29,6 +32,18 @@ const FileElement* findVtkElement(int vtkCellType);
 /// False for points, lines and surfaces.
 bool isVtkVolumeCell(int vtkCellType);
 
+/// In which order a file has an element's nodes. ours: that of decks.
+enum class NodeOrder { ours, gmsh, vtkWedge, vtkVoxel };
+/// Ours is node vtkWedgeOrder[i] of VTK's linear wedge, and the other way round: the first triangle faces outward there
+/// (vtkWedge.h, vtkCellSizeFilter) and inward here, as in gmsh and in decks, and in VTK's other wedges.
+inline constexpr std::array<std::uint8_t, 6> vtkWedgeOrder{0, 2, 1, 3, 5, 4};
+/// A cell of VTK. type: nullptr for one that is not known.
+struct VtkCell {
+  const FileElement* type;
+  NodeOrder order = NodeOrder::ours;
+};
+VtkCell vtkCell(int vtkCellType, std::size_t nodes);
+
 /// The element that the library or its user has for it; nullptr for none.
 const ElementInfo* elementOf(const FileElement& type);
 
@@ -39,9 +54,10 @@ struct FoundElements {
   std::size_t firstPosition;
 };
 /// Throws InputError where the elements of a file are no mesh: volume elements that the library does not have, none, or
-/// too many. Returns the number of elements of surfaces, lines and points. hint: as MeshBuilder::noVolumeHint.
+/// too many. Returns the number of elements of surfaces, lines and points. hint, leftOut: as MeshBuilder's.
 std::size_t requireVolumes(std::span<const FoundElements> found, std::size_t nodes, const std::string& source,
-                           const std::function<std::string(std::size_t position)>& where, const std::string& hint);
+                           const std::function<std::string(std::size_t position)>& where, const std::string& hint,
+                           std::size_t leftOut = 0);
 /// The note of these elements; empty without any.
 std::vector<std::string> droppedNote(const std::string& source, std::size_t dropped);
 
@@ -54,6 +70,10 @@ class MeshBuilder {
   using Where = std::function<std::string(std::size_t position)>;
   /// What a user of this format may do about a file without volume elements; added to the message.
   std::string noVolumeHint;
+  /// Elements of surfaces, lines and points that the reader leaves out itself.
+  std::size_t leftOut = 0;
+  /// A volume element with the nodes of one above belongs to the groups of both: the file names it once for each.
+  bool mergesGroups = false;
 
   MeshBuilder(std::string source, Where nodeWhere, Where elementWhere)
       : source_(std::move(source)), nodeWhere_(std::move(nodeWhere)), elementWhere_(std::move(elementWhere)) {}
@@ -64,6 +84,8 @@ class MeshBuilder {
     nodePositions_.push_back(position);
   }
   std::size_t nodeCount() const { return nodeIds_.size(); }
+  /// After finish(): the positions of the elements of each block.
+  std::vector<std::vector<std::size_t>>& positions() { return positions_; }
   /// The names of each group.
   const std::vector<std::vector<std::string>>& groups() const { return groups_; }
 
@@ -73,10 +95,11 @@ class MeshBuilder {
     groups_.push_back(std::move(names));
     return static_cast<int>(groups_.size()) - 1;
   }
-  /// nodes: in the file's order (gmshOrder: permuted to VTK's). Elements of surfaces, lines and points leave only their
-  /// nodes in the sets of their group.
+  /// nodes: in the file's order. A linear element that holds a node several times becomes what is left of it: a
+  /// hexahedron of six nodes a wedge. Elements of surfaces, lines and points leave only their nodes in the sets of
+  /// their group.
   void addElement(const FileElement& type, std::int64_t id, const std::int64_t* nodes, int group, std::size_t position,
-                  bool gmshOrder);
+                  NodeOrder order = NodeOrder::ours);
   void addToNodeSet(const std::string& name, std::int64_t nodeId) { nodeSetIds_[name].push_back(nodeId); }
 
   /// problems: when given, missing nodes (index -1 in the mesh) and non-finite coordinates are put there instead of
@@ -92,6 +115,9 @@ class MeshBuilder {
     std::vector<std::size_t> positions;
     std::size_t count = 0;
   };
+  Elements& listOf(const FileElement& type);
+  std::size_t mergeGroups(Elements& list);
+
   std::string source_;
   Where nodeWhere_, elementWhere_;
   std::vector<std::int64_t> nodeIds_;
@@ -100,6 +126,9 @@ class MeshBuilder {
   std::vector<std::vector<std::string>> groups_;
   std::vector<Elements> elements_;
   std::map<std::string, std::vector<std::int64_t>> nodeSetIds_;
+  std::vector<std::vector<std::size_t>> positions_;
+  /// Numbers of elements by their type in the file and the one that is left.
+  std::map<std::pair<std::string, std::string>, std::size_t> collapsed_;
 };
 
 }  // namespace ringwatch::detail

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <ringwatch/meshes/mesh_io.h>
@@ -33,7 +34,17 @@ struct ResultFrame {
   bool deformedPoints = false;   // the file says that its points are deformed positions
   std::optional<double> time;    // s
   std::optional<std::int64_t> increment;
+  std::vector<std::vector<bool>> deleted;  // [block][element]; empty where the file says of no element that it is
 };
+/// The field of OpenRadioss' files with the numbers of the nodes.
+inline constexpr const char* nodeNumberField = "NODE_ID";
+/// The fields that takeCellField takes: numbers of the elements and 1 for a deleted one, of OpenRadioss, and Abaqus' 0
+/// for a deleted one among 1.
+inline constexpr std::string_view resultFields[] = {"ELEMENT_ID", "EROSION_STATUS", "STATUS"};
+/// Takes what another program says of the elements, in the order of blocks and elements; passes over other fields.
+void takeCellField(ResultFrame& frame, const std::string& name, const std::vector<double>& values);
+/// Takes the numbers of the nodes, where they are whole and differ.
+void takeNodeNumbers(ResultFrame& frame, const std::vector<double>& values);
 /// names: of the displacement; the first that there is. notes: of the mesh, or nullptr.
 ResultFrame readVtuResult(const std::filesystem::path& path, const std::string& text,
                           const std::vector<std::string>& names, Notes* notes);

@@ -67,11 +67,13 @@ class MshReader {
       if (section == "$PhysicalNames") {
         readPhysicalNames();
       } else if (section == "$Entities" && version_ >= 4) {
-        readEntities();
-      } else if (section == "$Nodes") {
+        readEntities(false);
+      } else if (section == "$PartitionedEntities" && version_ > 4.0) {
+        readEntities(true);
+      } else if (section == "$Nodes" || (section == "$ParametricNodes" && version_ < 4)) {
         if (nodes) cursor_.failAt(begin, "a second $Nodes section; there must be one");
         nodes = true;
-        version_ < 4 ? readNodes2() : readNodes4();
+        version_ < 4 ? readNodes2(section == "$ParametricNodes") : readNodes4();
       } else if (section == "$Elements") {
         if (elements) cursor_.failAt(begin, "a second $Elements section; there must be one");
         elements = true;
@@ -89,6 +91,11 @@ class MshReader {
   }
 
   void readFormat() {
+    cursor_.skipSpace();
+    for (std::size_t at = cursor_.position(); cursor_.startsWith("$Comments"); at = cursor_.position()) {
+      skipSection(cursor_.line("a section"), at);
+      cursor_.skipSpace();
+    }
     cursor_.expectLine("$MeshFormat");
     cursor_.beginRecord("the MSH version");
     const std::size_t begin = cursor_.position();
@@ -101,6 +108,7 @@ class MshReader {
       cursor_.failAt(begin, joinText("the file type is ", fileType, "; it must be 0 (text) or 1 (binary)"));
     if (dataSize != 8) cursor_.failAt(begin, joinText("the data size is ", dataSize, "; it must be 8"));
     cursor_.endRecord();
+    builder_.mergesGroups = version_ < 4;
     if (fileType == 1) {
       if (version_ == 4.0) cursor_.failAt(begin, "binary MSH 4.0 is not supported; save it as 4.1 or 2.2");
       if (cursor_.remaining() > 0) cursor_.skipOne();
@@ -150,7 +158,21 @@ class MshReader {
     return found != names_.end() ? found->second : joinText(dimensionNames[dimension], "-", tag);
   }
 
-  void readEntities() {
+  /// partitioned: the entities are parts of those of $Entities, whose elements belong to the parts.
+  void readEntities(bool partitioned) {
+    if (partitioned) {
+      cursor_.beginRecord("the number of partitions");
+      cursor_.int64("the number of partitions");
+      cursor_.beginRecord("the number of ghost entities");
+      const std::size_t at = cursor_.position();
+      const std::size_t ghosts =
+          cursor_.checkedCount(cursor_.int64("the number of ghost entities"), 4, "ghost entities", at);
+      for (std::size_t i = 0; i < ghosts; ++i) {
+        cursor_.beginRecord("a ghost entity");
+        cursor_.int32("the number of a ghost entity");
+        cursor_.int32("the partition of a ghost entity");
+      }
+    }
     std::size_t counts[4];
     cursor_.beginRecord("the numbers of entities");
     for (int d = 0; d < 4; ++d) {
@@ -162,6 +184,14 @@ class MshReader {
       for (std::size_t i = 0; i < counts[d]; ++i) {
         cursor_.beginRecord("an entity");
         const std::int64_t tag = cursor_.int32("the number of an entity");
+        if (partitioned) {
+          cursor_.int32("the dimension of a parent");
+          cursor_.int32("the number of a parent");
+          const std::size_t where = cursor_.position();
+          const std::size_t partitions =
+              cursor_.checkedCount(cursor_.int64("the number of partitions"), 2, "partitions", where);
+          for (std::size_t k = 0; k < partitions; ++k) cursor_.int32("a partition");
+        }
         for (int k = 0; k < (d == 0 && version_ > 4.0 ? 3 : 6); ++k) cursor_.real("a coordinate of an entity");
         std::size_t at = cursor_.position();
         const std::size_t groups =
@@ -197,7 +227,7 @@ class MshReader {
     return cursor_.checkedCount(value, bytesEach, what, at);
   }
 
-  void readNodes2() {
+  void readNodes2(bool parametric) {
     const std::size_t count = countLine(cursor_.binary ? 28 : 8, "nodes");
     for (std::size_t i = 0; i < count; ++i) {
       cursor_.beginRecord("a node");
@@ -205,6 +235,12 @@ class MshReader {
       const std::int64_t id = nodeNumber(cursor_.int32("the number of a node"), at);
       const double x = cursor_.real("coordinate x"), y = cursor_.real("coordinate y"), z = cursor_.real("coordinate z");
       builder_.addNode(id, x, y, z, at);
+      if (parametric) {
+        const std::int64_t dimension = cursor_.int32("the dimension of an entity");
+        cursor_.int32("the number of an entity");
+        const std::int64_t own = dimension == 1 || dimension == 2 ? dimension : 0;
+        for (std::int64_t k = 0; k < own; ++k) cursor_.real("a parametric coordinate");
+      }
       cursor_.endRecord();
     }
   }
@@ -264,8 +300,8 @@ class MshReader {
         cursor_.beginRecord("the number of a node");
         const std::size_t where = cursor_.position();
         tags.emplace_back(nodeNumber(cursor_.int64("the number of a node"), where), where);
-        cursor_.endRecord();
       }
+      cursor_.endRecord();  // lines of several numbers are taken
       for (std::size_t i = 0; i < count; ++i) {
         cursor_.beginRecord("the coordinates of a node");
         coordinates(tags[i].first, cursor_.position());
@@ -300,7 +336,7 @@ class MshReader {
         if (t == 0) physical = tag;
       }
       for (int a = 0; a < type.nodes; ++a) nodes[a] = cursor_.int32("the number of a node of an element");
-      builder_.addElement(type, id, nodes, group2(type.dimension, physical), at, true);
+      builder_.addElement(type, id, nodes, group2(type.dimension, physical), at, NodeOrder::gmsh);
     };
     const auto checkTags = [&](std::int64_t tags, std::size_t at) {
       if (tags < 0 || tags > 1000)
@@ -379,7 +415,7 @@ class MshReader {
         const std::int64_t id = cursor_.int64("the number of an element");
         for (int a = 0; a < type.nodes; ++a) nodes[a] = cursor_.int64("the number of a node of an element");
         cursor_.endRecord();
-        builder_.addElement(type, id, nodes, group, where, true);
+        builder_.addElement(type, id, nodes, group, where, NodeOrder::gmsh);
       }
     }
     if (found != total)

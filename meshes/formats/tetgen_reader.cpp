@@ -87,7 +87,7 @@ Mesh readTetgen(const std::filesystem::path& nodeFile, const std::filesystem::pa
       group = found->second;
     }
     elements.endRecord();
-    builder.addElement(tet, id, own, group, where, false);
+    builder.addElement(tet, id, own, group, where);
   }
   requireEnd(elements, "tetrahedra", elementCount);
   requireLineEnd(elements);

@@ -20,7 +20,7 @@ class LegacyReader {
         source_(source),
         builder_(
             source, [this](std::size_t p) { return cursor_.where(p); },
-            [this](std::size_t p) { return cursor_.where(p); }) {}
+            [this](std::size_t cell) { return cursor_.where(positions_[cell]); }) {}
 
   Mesh read(Notes* notes, Problems* problems) {
     cursor_.line("the version");
@@ -59,13 +59,16 @@ class LegacyReader {
     return build(notes, problems);
   }
 
-  /// After read(): the fields of three components at the points, 3×N each, and the single numbers of the file.
-  struct Vectors {
+  /// A field of one or three components at the points or the cells, component fastest.
+  struct DataField {
     std::string name;
+    std::size_t components;
+    bool atPoints;
     std::vector<double> values;
   };
-  std::vector<Vectors> pointVectors() {
-    std::vector<Vectors> found;
+  /// After read(): the fields, and the single numbers of the file.
+  std::vector<DataField> dataFields() {
+    std::vector<DataField> found;
     std::size_t tuples = 0;
     bool atPoints = false;
     while (cursor_.skipSpace()) {
@@ -78,22 +81,23 @@ class LegacyReader {
       } else if (key == "VECTORS" || key == "NORMALS") {
         const std::string name(cursor_.word("the name of the field"));
         const Format f = format(cursor_.word("the data type"), at);
-        keep(found, atPoints, name, numbersOf(f, 3, tuples, at));
+        found.push_back({name, 3, atPoints, numbersOf(f, 3, tuples, at)});
       } else if (key == "SCALARS") {
-        cursor_.word("the name of the field");
+        const std::string name(cursor_.word("the name of the field"));
         const Format f = format(cursor_.word("the data type"), at);
         const std::size_t components = cursor_.atLineEnd() ? 1 : count("components", 1, at);
         if (!cursor_.startsWith("LOOKUP_TABLE")) cursor_.failAt(at, "LOOKUP_TABLE is expected behind SCALARS");
         cursor_.word("LOOKUP_TABLE");
         cursor_.word("the name of the table");
-        numbersOf(f, components, tuples, at);
+        std::vector<double> values = numbersOf(f, components, tuples, at);
+        if (components == 1) found.push_back({name, 1, atPoints, std::move(values)});
       } else if (key == "TENSORS") {
         cursor_.word("the name of the field");
         numbersOf(format(cursor_.word("the data type"), at), 9, tuples, at);
       } else if (key == "FIELD") {
         for (Field& field : readFields(at))
-          if (field.components == 3 && field.values.size() == 3 * tuples)
-            keep(found, atPoints, field.name, std::move(field.values));
+          if ((field.components == 3 || field.components == 1) && field.values.size() == field.components * tuples)
+            found.push_back({field.name, field.components, atPoints, std::move(field.values)});
       } else if (key == "METADATA") {
         skipMetadata();
       } else {
@@ -105,6 +109,14 @@ class LegacyReader {
     return found;
   }
   const std::map<std::string, double>& numbers() const { return numbers_; }
+  /// After read(): the numbers at the elements of the mesh of those at the cells.
+  std::vector<double> atElements(const std::vector<double>& atCells) {
+    std::vector<double> values;
+    for (const std::vector<std::size_t>& cells : builder_.positions())
+      for (const std::size_t cell : cells) values.push_back(atCells[cell]);
+    return values;
+  }
+  std::size_t cellCount() const { return positions_.size(); }
 
  private:
   struct Field {
@@ -112,9 +124,6 @@ class LegacyReader {
     std::size_t components;
     std::vector<double> values;
   };
-  static void keep(std::vector<Vectors>& found, bool atPoints, const std::string& name, std::vector<double> values) {
-    if (atPoints) found.push_back({name, std::move(values)});
-  }
   struct Format {
     std::size_t bytes;
     bool real, isSigned;
@@ -297,7 +306,8 @@ class LegacyReader {
     std::size_t flat = 0;
     for (std::size_t c = 0; c < count; ++c) {
       const int type = types_[c] >= 0 && types_[c] < 256 ? static_cast<int>(types_[c]) : 255;
-      const FileElement* known = findVtkElement(type);
+      const std::size_t n = begins_[c + 1] - begins_[c];
+      const auto [known, order] = vtkCell(type, n);
       if (known == nullptr && isVtkVolumeCell(type))
         cursor_.failAt(positions_[c], joinText("cell ", c, " is of VTK type ", types_[c],
                                                ", which is not supported; tetrahedra (10) and hexahedra (12) are"));
@@ -305,15 +315,15 @@ class LegacyReader {
         ++flat;
         continue;
       }
-      const std::size_t n = begins_[c + 1] - begins_[c];
       if (n != static_cast<std::size_t>(known->nodes))
         cursor_.failAt(positions_[c],
                        joinText("cell ", c, " (", known->name(), ") has ", n, " nodes; it must have ", known->nodes));
       std::copy_n(nodes_.begin() + static_cast<std::ptrdiff_t>(begins_[c]), n, nodes);
-      builder_.addElement(*known, c, nodes, -1, positions_[c], false);
+      builder_.addElement(*known, c, nodes, -1, c, order);
     }
     if (flat > 0 && notes != nullptr)
       notes->push_back(joinText(source_, ": ", flat, " cells of surfaces, lines or points are left out"));
+    builder_.leftOut = flat;
     return builder_.finish(notes, problems);
   }
 
@@ -346,15 +356,23 @@ ResultFrame readLegacyVtkResult(const std::filesystem::path& path, const std::st
   ResultFrame frame;
   Problems problems;
   frame.mesh = reader.read(notes, &problems);
-  const std::vector<LegacyReader::Vectors> fields = reader.pointVectors();
-  for (const LegacyReader::Vectors& field : fields)
-    frame.vectors += (frame.vectors.empty() ? "" : ", ") + detail::quoted(field.name);
+  const auto nodes = static_cast<Eigen::Index>(frame.mesh.nodeCount());
+  const std::vector<LegacyReader::DataField> fields = reader.dataFields();
+  for (const LegacyReader::DataField& field : fields) {
+    if (field.atPoints && field.components == 3)
+      frame.vectors += (frame.vectors.empty() ? "" : ", ") + detail::quoted(field.name);
+    else if (field.atPoints && field.name == nodeNumberField)
+      takeNodeNumbers(frame, field.values);
+    else if (!field.atPoints && field.components == 1 && field.values.size() == reader.cellCount())
+      takeCellField(frame, field.name, reader.atElements(field.values));
+  }
   for (const std::string& name : names) {
-    const auto found =
-        std::find_if(fields.begin(), fields.end(), [&](const auto& field) { return field.name == name; });
+    const auto found = std::find_if(fields.begin(), fields.end(), [&](const auto& field) {
+      return field.atPoints && field.components == 3 && field.name == name;
+    });
     if (found == fields.end()) continue;
     frame.displacement = name;
-    frame.u = Eigen::Map<const NodeVectors>(found->values.data(), 3, static_cast<Eigen::Index>(frame.mesh.nodeCount()));
+    frame.u = Eigen::Map<const NodeVectors>(found->values.data(), 3, nodes);
     break;
   }
   const std::map<std::string, double>& numbers = reader.numbers();

@@ -22,8 +22,7 @@ struct VtuFrame {
   std::map<std::string, double> values;  // field data of one number
 };
 
-/// Reads a .vtu file whose volume elements come type by type, as writeVtu writes them. Throws InputError as readMesh
-/// does, and where elements of several types are mixed or flat cells lie between them.
+/// Reads a .vtu file. Throws InputError as readMesh does.
 VtuFrame readVtuFrame(const std::filesystem::path& path);
 
 }  // namespace ringwatch

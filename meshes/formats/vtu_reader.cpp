@@ -14,18 +14,6 @@
 namespace ringwatch::detail {
 namespace {
 
-/// Lagrange cells of VTK, as dolfinx writes them, of so few nodes have the nodes of the usual cell in its order
-/// (vtkLagrangeTetra, vtkLagrangeHexahedron, vtkLagrangeWedge).
-int usualVtkType(int type, std::int64_t nodes) {
-  struct Same {
-    int lagrange, nodes, usual;
-  };
-  static constexpr Same same[] = {{71, 4, 10}, {71, 10, 24}, {72, 8, 12}, {73, 6, 13}};
-  for (const Same& cell : same)
-    if (cell.lagrange == type && cell.nodes == nodes) return cell.usual;
-  return type;
-}
-
 constexpr std::string_view setPrefix = "set:";
 // Deflate packs at most about 1032:1, so a file can hold no more bytes than this times its size.
 constexpr std::size_t mostPacking = 1100;
@@ -83,6 +71,7 @@ class VtuReader {
     if (cellCount_ == 0) throw InputError(source_ + ": there are no cells");
     if (flat_ > 0 && notes != nullptr)
       notes->push_back(joinText(source_, ": ", flat_, " cells of surfaces, lines or points are left out"));
+    builder_.leftOut = flat_;
     Mesh mesh = builder_.finish(notes, problems);
     if (nodeIds_.size() == mesh.nodeCount()) mesh.nodeIds = nodeIds_;
     return mesh;
@@ -120,6 +109,19 @@ class VtuReader {
   }
   bool deformedPoints() const { return deformedPoints_; }
 
+  /// After read(): a number at each point; empty where some piece has no such field.
+  std::vector<double> pointNumbers(const std::string& name) const {
+    std::vector<double> numbers;
+    for (const Piece& piece : pieces_) {
+      const Array* a = find(piece, "PointData", name);
+      if (piece.points > 0 && (a == nullptr || a->components != 1)) return {};
+      if (piece.points == 0) continue;
+      const std::vector<double> own = values<double>(*a, piece.points);
+      numbers.insert(numbers.end(), own.begin(), own.end());
+    }
+    return numbers;
+  }
+
   /// After read(): whether every piece has a field of three components of that name at its points.
   bool hasVectors(const std::string& name) const {
     return std::all_of(pieces_.begin(), pieces_.end(), [&](const Piece& piece) {
@@ -150,17 +152,14 @@ class VtuReader {
     return result;
   }
 
-  /// After read(): the numbers at cells. Their order is the mesh's only where no type comes again behind another one.
-  std::vector<FrameField> cellFields() const {
-    if (flat_ > 0 || mixed_)
-      throw InputError(source_ + (flat_ > 0
-                                      ? ": has cells of surfaces, lines or points; a frame has volume elements alone"
-                                      : ": element types are mixed; a frame has them type by type"));
+  /// After read(): the numbers at the elements of the mesh, in the order of blocks and elements. only: fields of these
+  /// names; empty for all.
+  std::vector<FrameField> cellFields(std::span<const std::string_view> only = {}) {
     std::vector<FrameField> fields;
     for (const Piece& piece : pieces_)
       for (const Array& a : piece.arrays) {
         if (a.section != "CellData" || a.components != 1 || a.name == "originalElementId" ||
-            a.name.starts_with(setPrefix))
+            a.name.starts_with(setPrefix) || (!only.empty() && std::ranges::find(only, a.name) == only.end()))
           continue;
         auto field = std::find_if(fields.begin(), fields.end(), [&](const FrameField& f) { return f.name == a.name; });
         if (field == fields.end()) field = fields.insert(fields.end(), {a.name, !a.type->real, {}});
@@ -168,6 +167,12 @@ class VtuReader {
         field->values.insert(field->values.end(), own.begin(), own.end());
       }
     std::erase_if(fields, [this](const FrameField& field) { return field.values.size() != cellCount_; });
+    for (FrameField& field : fields) {
+      std::vector<double> ofElements;
+      for (const std::vector<std::size_t>& cells : builder_.positions())
+        for (const std::size_t cell : cells) ofElements.push_back(field.values[cell]);
+      field.values = std::move(ofElements);
+    }
     return fields;
   }
   /// The field data that are a single number.
@@ -373,6 +378,7 @@ class VtuReader {
     int held = 0;
     for (const char c : text) {
       if (bytes.size() >= most || c == '=') break;
+      if (c == ' ' || c == '\t' || c == '\r' || c == '\n') continue;
       int value = -1;
       if (c >= 'A' && c <= 'Z')
         value = c - 'A';
@@ -434,7 +440,14 @@ class VtuReader {
     if (compressor_.empty()) {
       const std::uint64_t size = word(take(stored, wordBytes_), 0, array);
       if (size != expected) refuse(joinText("are ", size, " bytes; they must be ", expected));
-      std::string all = take(stored, wordBytes_ + expected);  // one base64 text with the header
+      // In base64 the header is in one text with the data, or apart: then the text of it alone is padded.
+      const std::size_t head = (8 * wordBytes_ + 5) / 6;
+      if (!raw && stored.find('=') == head) {
+        std::string apart = take(stored.substr(std::min(stored.size(), (head + 3) / 4 * 4)), expected);
+        if (apart.size() != expected) refuse("end early; is the file cut short?");
+        return apart;
+      }
+      std::string all = take(stored, wordBytes_ + expected);
       if (all.size() != wordBytes_ + expected) refuse("end early; is the file cut short?");
       return all.substr(wordBytes_);
     }
@@ -580,16 +593,11 @@ class VtuReader {
         sets.emplace_back(a.name.substr(setPrefix.size()), values<std::int64_t>(a, piece.cells));
     }
     std::map<std::vector<std::string>, int> groups;
-    if (pieces_.size() > 1) mixed_ = true;
-    std::vector<std::int64_t> runs = types;  // a type for each run of equal ones
-    runs.erase(std::unique(runs.begin(), runs.end()), runs.end());
-    std::sort(runs.begin(), runs.end());
-    mixed_ = mixed_ || std::adjacent_find(runs.begin(), runs.end()) != runs.end();
     std::int64_t nodes[125];
     for (std::size_t c = 0; c < piece.cells; ++c, ++cellCount_) {
       const std::int64_t begin = c == 0 ? 0 : offsets[c - 1], end = offsets[c];
-      const int type = usualVtkType(types[c] >= 0 && types[c] < 256 ? static_cast<int>(types[c]) : 255, end - begin);
-      const FileElement* known = findVtkElement(type);
+      const int type = types[c] >= 0 && types[c] < 256 ? static_cast<int>(types[c]) : 255;
+      const auto [known, order] = vtkCell(type, static_cast<std::size_t>(end - begin));
       const auto refuse = [&](const std::string& what) {
         throw InputError(joinText(source_, ": cell ", cellCount_, " ", what));
       };
@@ -620,7 +628,7 @@ class VtuReader {
         group = found->second;
       }
       builder_.addElement(*known, ids.empty() ? static_cast<std::int64_t>(cellCount_) : ids[c], nodes, group,
-                          cellCount_, false);
+                          cellCount_, order);
     }
   }
 
@@ -631,7 +639,7 @@ class VtuReader {
   std::vector<Piece> pieces_;
   std::string compressor_;
   std::size_t wordBytes_ = 4;
-  bool swap_ = false, rawAppended_ = false, deformedPoints_ = false, mixed_ = false;
+  bool swap_ = false, rawAppended_ = false, deformedPoints_ = false;
   std::vector<Array> fieldData_;
   std::string_view appended_;
   std::vector<std::int64_t> nodeIds_;
@@ -669,6 +677,8 @@ ResultFrame readVtuResult(const std::filesystem::path& path, const std::string& 
       frame.u = reader.vectors(name, frame.mesh.nodeCount());
       break;
     }
+  for (FrameField& field : reader.cellFields(resultFields)) takeCellField(frame, field.name, field.values);
+  takeNodeNumbers(frame, reader.pointNumbers(nodeNumberField));
   const std::map<std::string, double> numbers = reader.numbers();
   for (const char* name : {"TimeValue", "TIME", "time"})
     if (const auto known = numbers.find(name); known != numbers.end()) frame.time = known->second;

@@ -6,6 +6,7 @@
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/output_file.h>
 #include <ringwatch/meshes/formats/file_cursor.h>
+#include <ringwatch/meshes/formats/mesh_builder.h>
 #include <ringwatch/meshes/formats/mesh_readers.h>
 #include <ringwatch/meshes/formats/vtu_writer.h>
 
@@ -227,10 +228,13 @@ vtkSmartPointer<vtkUnstructuredGrid> makeGrid(const Mesh& mesh, const NodeVector
   for (const MeshBlock& block : mesh.blocks) {
     const ElementInfo& info = elementInfo(block.type);
     if (info.vtkCellType == 0) throw InputError(joinText("cannot write .vtu: VTK has no cell like ", info.name));
+    const bool wedge =
+        detail::vtkCell(info.vtkCellType, static_cast<std::size_t>(info.nodes)).order == detail::NodeOrder::vtkWedge;
     for (std::size_t e = 0; e < block.elementCount(); ++e, ++cell) {
       offsets->SetValue(cell, entry);
       types->SetValue(cell, static_cast<unsigned char>(info.vtkCellType));
-      for (int a = 0; a < info.nodes; ++a) connectivity->SetValue(entry++, block.element(e)[a]);
+      for (std::size_t a = 0; a < static_cast<std::size_t>(info.nodes); ++a)
+        connectivity->SetValue(entry++, block.element(e)[wedge ? detail::vtkWedgeOrder[a] : a]);
     }
   }
   offsets->SetValue(cell, entry);
@@ -297,11 +301,7 @@ void addSets(vtkUnstructuredGrid* grid, const Mesh& mesh, const NameOf& nameOf) 
   }
 }
 
-/// LZ4 makes files twice as large as zlib and takes a third of the time; not every reader knows it (meshio does not).
-enum class Compression { lz4, zlib };
-
-void writeGrid(vtkUnstructuredGrid* grid, const Mesh& mesh, const std::filesystem::path& path,
-               Compression compression) {
+void writeGrid(vtkUnstructuredGrid* grid, const Mesh& mesh, const std::filesystem::path& path) {
   std::vector<std::int64_t> nodeIds, ids;
   for (std::size_t i = 0; i < mesh.nodeCount(); ++i) nodeIds.push_back(mesh.nodeId(i));
   for (const MeshBlock& block : mesh.blocks)
@@ -317,10 +317,7 @@ void writeGrid(vtkUnstructuredGrid* grid, const Mesh& mesh, const std::filesyste
     writer->SetInputData(grid);
     writer->SetDataModeToAppended();
     writer->EncodeAppendedDataOff();
-    if (compression == Compression::lz4)
-      writer->SetCompressorTypeToLZ4();
-    else
-      writer->SetCompressorTypeToZLib();
+    writer->SetCompressorTypeToZLib();  // LZ4 takes a third of the time, but not every reader knows it
     if (writer->Write() == 0 || session.window->failed)
       throw InputError("cannot write " + path.string() + ": " + session.window->first);
     text = writer->GetOutputString();
@@ -349,7 +346,7 @@ void writeVtu(const std::filesystem::path& path, const Mesh& mesh, const NodeVec
     const std::size_t values = std::visit([](auto list) { return list.size(); }, field.values);
     addFields(grid->GetFieldData(), std::span(&field, 1), values / static_cast<std::size_t>(field.components), failure);
   }
-  writeGrid(grid, mesh, path, Compression::lz4);
+  writeGrid(grid, mesh, path);
 }
 
 namespace detail {
@@ -360,7 +357,7 @@ void writeVtuWithSets(const Mesh& mesh, const std::filesystem::path& path) {
     checkName(name, "cannot write " + path.string() + ": ");
     return name;
   });
-  writeGrid(grid, mesh, path, Compression::zlib);
+  writeGrid(grid, mesh, path);
 }
 
 bool unpack(const std::string& source, const std::string& compressor, const char* in, std::size_t inSize, char* out,

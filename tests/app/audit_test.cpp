@@ -113,6 +113,38 @@ TEST_F(Audits, TakeMovedPointsForPositions) {
   expectRefused("audit a0.vtk a0.vtk" + std::string(test::material), "the points of all states are the same");
 }
 
+// Two tetrahedra on a common face; the second one is folded over and deleted. Its mass stays at its nodes.
+TEST_F(Audits, LeaveOutElementsThatAreDeletedAndNameAllByTheNumbersOfTheFile) {
+  const auto write = [&](const std::string& name, double time, double z, int erosion, const std::string& status = "") {
+    folder_.write(name,
+                  fmt::format("# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nFIELD FieldData "
+                              "2\nTIME 1 1 double\n{}\nCYCLE 1 1 int\n0\nPOINTS 5 double\n0 0 0\n1 0 0\n0 1 "
+                              "0\n0 0 {}\n0 0 -1\nCELLS 3 14\n2 0 1\n4 0 1 2 3\n4 0 2 1 4\nCELL_TYPES "
+                              "3\n3\n10\n10\nPOINT_DATA 5\nSCALARS NODE_ID int 1\nLOOKUP_TABLE "
+                              "default\n1001 1002 1003 1004 1005\nCELL_DATA 3\nSCALARS ELEMENT_ID int "
+                              "1\nLOOKUP_TABLE default\n9 501 502\nSCALARS {} int 1\nLOOKUP_TABLE default\n0 {} "
+                              "{}\n",
+                              time, z, status.empty() ? "EROSION_STATUS" : status, erosion, status.empty() ? 0 : 1));
+  };
+  write("s0.vtk", 0, 1, 0);
+  write("s1.vtk", 1e-4, -1.5, 1);
+  write("s2.vtk", 1e-4, -1.5, 0);
+  write("t0.vtk", 0, 1, 1, "STATUS");
+  write("t1.vtk", 1e-4, -1.5, 0, "STATUS");
+  const std::string law = " --step 1e-5" + std::string(test::material);
+  const Json deleted = audit("s0.vtk s1.vtk" + law, 0), kept = audit("s0.vtk s2.vtk" + law, 1);
+  EXPECT_EQ(deleted["first"]["inverted"], nullptr);
+  EXPECT_EQ(deleted["history"][1]["deleted_elements"], 1);
+  EXPECT_EQ(deleted["history"][1]["least_determinant"], 1.0);
+  EXPECT_EQ(deleted["history"][1]["controlling_element"]["id"], 502);
+  EXPECT_EQ(deleted["history"][1]["controlling_element"]["nodes"], Json({1001, 1003, 1002, 1005}));
+  EXPECT_EQ(audit("t0.vtk t1.vtk" + law, 0)["history"], deleted["history"]);
+  EXPECT_EQ(kept["first"]["inverted"]["state"], 2);
+  EXPECT_THAT(call("audit s0.vtk s2.vtk" + law).out, HasSubstr("det F = -1.5 in element 501 "));
+  // The element that is left, alone, with half the mass at the common nodes: a light one has the shorter step.
+  EXPECT_GT(deleted["history"][1]["safe"].get<double>(), deleted["at_rest"]["safe"].get<double>());
+}
+
 TEST_F(Audits, NameWhatIsInvertedAndLost) {
   const auto flat = [](const Eigen::Vector3d& X) { return Eigen::Vector3d(X[0], X[1], -0.5 * X[2]); };
   const auto lost = [](const Eigen::Vector3d& X) { return Eigen::Vector3d(X[0] > 0 ? std::nan("") : 0, X[1], X[2]); };

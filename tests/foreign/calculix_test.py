@@ -246,7 +246,7 @@ def forces():
     import numpy as np
     import support
 
-    support.need("meshio")
+    meshio = support.need("meshio")
     import ringwatch as rw
 
     h = 1e-6
@@ -290,7 +290,7 @@ def forces():
         assert ran.returncode in (0, 3), ran.stderr
         last = sorted((work / f"out_{type_}" / "frames").glob("*.vtu"))[-1]
         # One step of symplectic Euler from rest: v = h f / m.
-        data = support.read_frame(last).point_data
+        data = meshio.read(last).point_data
         ours = np.empty(points.shape)
         ours[data["originalNodeId"].ravel() - 1] = data["velocity"]
         ours *= np.asarray(body.lumped_mass)[:, None] / h

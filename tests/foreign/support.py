@@ -15,45 +15,6 @@ def need(module):
         sys.exit(77)
 
 
-def read_frame(path):
-    """A .vtu frame of ours by meshio, which does not know LZ4: it takes the file for one of another compressor whose
-    unpacking is ours."""
-    import pathlib
-    import types
-
-    import meshio
-
-    def unpack(block, *_):
-        out, i = bytearray(), 0
-
-        def length(nibble, i):
-            while nibble >= 15 and (nibble - 15) % 255 == 0:
-                nibble += block[i]
-                i += 1
-                if block[i - 1] != 255:
-                    break
-            return nibble, i
-
-        while i < len(block):
-            token = block[i]
-            literals, i = length(token >> 4, i + 1)
-            out += block[i : i + literals]
-            i += literals
-            if i >= len(block):
-                break
-            offset = block[i] | block[i + 1] << 8
-            copied, i = length(token & 15, i + 2)
-            for _ in range(copied + 4):
-                out.append(out[-offset])
-        return bytes(out)
-
-    path = pathlib.Path(path)
-    other = path.with_suffix(".unpacked.vtu")
-    other.write_bytes(path.read_bytes().replace(b"vtkLZ4DataCompressor", b"vtkLZMADataCompressor"))
-    meshio.vtu._vtu.lzma = types.SimpleNamespace(decompress=unpack)
-    return meshio.read(other)
-
-
 YOUNG, POISSON, DENSITY = 1e6, 0.3, 1000.0  # Pa, 1, kg/m3
 MU = YOUNG / (2 * (1 + POISSON))
 LAMBDA = YOUNG * POISSON / ((1 + POISSON) * (1 - 2 * POISSON))

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include <bit>
 #include <cstring>
 
 #include <ringwatch/meshes/formats/mesh_readers.h>
@@ -309,6 +310,43 @@ TEST(VtuReader, TakesLagrangeCellsOfFewNodes) {
     EXPECT_NE(std::string(error.what()).find("cell 0 is of VTK type 71, which is not supported"), std::string::npos)
         << error.what();
   }
+}
+
+TEST(VtuReader, TakesBase64WithItsHeaderTogetherOrApart) {
+  const auto base64 = [](const std::string& bytes) {
+    constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+      std::uint32_t bits = 0;
+      for (std::size_t k = 0; k < 3; ++k)
+        bits = bits << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+      for (std::size_t k = 0; k < 4; ++k) text += i + k > bytes.size() ? '=' : letters[bits >> (18 - 6 * k) & 63];
+    }
+    return text;
+  };
+  for (const bool apart : {false, true})
+    for (const bool wide : {false, true}) {
+      const auto array = [&](const char* head, const auto& values) {
+        const std::string data(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(values[0]));
+        const std::uint64_t size = data.size();
+        const std::string header(reinterpret_cast<const char*>(&size), wide ? 8 : 4);  // of this machine's byte order
+        return std::string("<DataArray ") + head + " format=\"binary\">\n" +
+               (apart ? base64(header) + "\n" + base64(data) : base64(header + data)) + "\n</DataArray>";
+      };
+      const std::string text =
+          std::string("<VTKFile type=\"UnstructuredGrid\" byte_order=\"") +
+          (std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian") + "\" header_type=\"" +
+          (wide ? "UInt64" : "UInt32") +
+          "\"><UnstructuredGrid><Piece NumberOfPoints=\"4\" NumberOfCells=\"1\"><Points>" +
+          array("type=\"Float64\" NumberOfComponents=\"3\"", std::vector<double>{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 6}) +
+          "</Points><Cells>" + array("type=\"Int64\" Name=\"connectivity\"", std::vector<std::int64_t>{0, 1, 2, 3}) +
+          array("type=\"Int64\" Name=\"offsets\"", std::vector<std::int64_t>{4}) +
+          array("type=\"UInt8\" Name=\"types\"", std::vector<std::uint8_t>{10}) +
+          "</Cells></Piece></UnstructuredGrid></VTKFile>\n";
+      const Mesh mesh = detail::readVtu("m.vtu", text, nullptr, nullptr);
+      EXPECT_EQ(mesh.X(2, 3), 6.0) << apart << wide;
+      EXPECT_EQ(mesh.blocks[0].connectivity, (std::vector<std::int32_t>{0, 1, 2, 3}));
+    }
 }
 
 TEST(BadInput, CutOrChangedVtuFilesNeverCrash) {

@@ -120,6 +120,22 @@ U
   EXPECT_THAT(notes, ::testing::Contains(HasSubstr("*ELEMENT, TYPE=SPRINGA")));
 }
 
+TEST_F(InpTest, NotesFormulationsThatAreNotTaken) {
+  const auto notesOf = [&](const std::string& type) {
+    std::vector<std::string> notes;
+    detail::readInp("m.inp",
+                    "*NODE\n1,0,0,0\n2,1,0,0\n3,1,1,0\n4,0,1,0\n5,0,0,1\n6,1,0,1\n7,1,1,1\n8,0,1,1\n*ELEMENT, TYPE=" +
+                        type + "\n1,1,2,3,4,5,6,7,8\n",
+                    &notes, nullptr);
+    return notes;
+  };
+  EXPECT_TRUE(notesOf("C3D8").empty());
+  EXPECT_EQ(notesOf("C3D8R").at(0),
+            "m.inp: skipped, only nodes, elements and their sets are read: the formulation of C3D8R, which rules = "
+            "[\"hex8=uniform-strain\"] has");
+  EXPECT_NE(notesOf("C3D8I").at(0).find("the formulation of C3D8I"), std::string::npos);
+}
+
 TEST_F(InpTest, ReadsQuadraticElementsInTheirOrder) {
   std::string text = "*NODE\n";
   const ElementInfo& hex = *findElementByName("hex20");

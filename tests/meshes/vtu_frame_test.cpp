@@ -1,4 +1,4 @@
-// Frames with their fields: what writeVtu writes comes back, type by type; files in another order are refused.
+// Frames with their fields: what writeVtu writes comes back, and fields follow their elements.
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -66,29 +66,21 @@ TEST_F(VtuFrameFile, ComesBackWithItsFields) {
 
 #endif
 
-TEST_F(VtuFrameFile, RefusesAnOrderInWhichFieldsWouldGoToOtherElements) {
-  // A tetrahedron, a wedge and a tetrahedron again, and then a triangle.
-  const auto write = [&](const char* connectivity, const char* offsets, const char* types, int count) {
-    std::ofstream(folder_ / "f.vtu")
-        << R"(<VTKFile type="UnstructuredGrid"><UnstructuredGrid><Piece NumberOfPoints="8" NumberOfCells=")" << count
-        << R"("><Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">
+TEST_F(VtuFrameFile, FieldsFollowTheirElementsWhateverLiesBetween) {
+  // A tetrahedron, a triangle, a wedge in VTK's order, and a tetrahedron again.
+  std::ofstream(folder_ / "f.vtu")
+      << R"(<VTKFile type="UnstructuredGrid"><UnstructuredGrid><Piece NumberOfPoints="8" NumberOfCells="4"><Points>
+<DataArray type="Float64" NumberOfComponents="3" format="ascii">
 0 0 0 1 0 0 0 1 0 0 0 1 1 1 1 0 0 2 1 0 2 0 1 2</DataArray></Points><Cells>
-<DataArray type="Int64" Name="connectivity" format="ascii">)"
-        << connectivity << R"(</DataArray><DataArray type="Int64" Name="offsets" format="ascii">)" << offsets
-        << R"(</DataArray><DataArray type="UInt8" Name="types" format="ascii">)" << types
-        << "</DataArray></Cells></Piece></UnstructuredGrid></VTKFile>\n";
-    std::string said;
-    try {
-      readVtuFrame(folder_ / "f.vtu");
-    } catch (const InputError& fault) {
-      said = fault.what();
-    }
-    return said;
-  };
-  EXPECT_EQ(write("0 1 2 3 3 1 2 5 6 7 1 2 3 4", "4 10 14", "10 13 10", 3),
-            (folder_ / "f.vtu").string() + ": element types are mixed; a frame has them type by type");
-  EXPECT_THAT(write("0 1 2 3 0 1 2", "4 7", "10 5", 2), ::testing::HasSubstr("has cells of surfaces"));
-  EXPECT_EQ(write("0 1 2 3 1 2 3 4 3 1 2 5 6 7", "4 8 14", "10 10 13", 3), "");
+<DataArray type="Int64" Name="connectivity" format="ascii">0 1 2 3 0 1 2 3 2 1 5 7 6 1 2 3 4</DataArray>
+<DataArray type="Int64" Name="offsets" format="ascii">4 7 13 17</DataArray>
+<DataArray type="UInt8" Name="types" format="ascii">10 5 13 10</DataArray></Cells><CellData>
+<DataArray type="Int32" Name="n" format="ascii">70 71 72 73</DataArray></CellData></Piece></UnstructuredGrid></VTKFile>)"
+      << "\n";
+  const VtuFrame frame = readVtuFrame(folder_ / "f.vtu");
+  ASSERT_EQ(frame.mesh.blocks.size(), 2u);
+  EXPECT_EQ(frame.mesh.blocks[1].connectivity, (std::vector<std::int32_t>{3, 1, 2, 5, 6, 7}));
+  EXPECT_EQ(frame.cells.at(0).values, (std::vector<double>{70, 73, 72}));
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ TEST(VtuWriter, FramesHoldPositionsFieldsTimeAndNumbers) {
   writeVtu(folder / "frame.vtu", mesh, x, pointFields, cellFields, 0.25);
   const std::string text = readBytes(folder / "frame.vtu");
   for (const char* part : {"velocity", "critical_step", "handled", "TimeValue", "originalNodeId", "originalElementId",
-                           "vtkLZ4DataCompressor"})
+                           "vtkZLibDataCompressor"})  // meshio knows no LZ4
     EXPECT_THAT(text, HasSubstr(part));
   const Mesh back = readMesh(folder / "frame.vtu");
   EXPECT_TRUE(back.X == x);
