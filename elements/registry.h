@@ -57,7 +57,6 @@ struct ElementInfo {
   double referenceVolume;
   bool constantGradient;
   bool positiveRowSums;
-  bool eitherHandedness;  // files of both conventions exist: a block of the other one is turned round
   std::span<const std::array<double, 3>> referenceNodes;
   std::span<const std::array<int, 4>> faces;  // corner nodes
   std::span<const std::array<int, 2>>
@@ -70,7 +69,7 @@ struct ElementInfo {
   void (*shapeGradient)(const double xi[3], double (*dN)[3]);  // dN[nodes][3]
 };
 
-/// What an element as in this folder declares; what it does not (gmshOrder, eitherHandedness) has the usual value.
+/// What an element as in this folder declares; what it does not (gmshOrder) has the usual value.
 template <class E>
 ElementInfo elementInfoOf(ElementType type) {
   ElementInfo info{.type = type,
@@ -82,7 +81,6 @@ ElementInfo elementInfoOf(ElementType type) {
                    .referenceVolume = E::referenceVolume,
                    .constantGradient = E::constantGradient,
                    .positiveRowSums = E::positiveRowSums,
-                   .eitherHandedness = false,
                    .referenceNodes = E::referenceNodes,
                    .faces = E::faces,
                    .edges = E::edges,
@@ -93,7 +91,6 @@ ElementInfo elementInfoOf(ElementType type) {
                    .shape = [](const double xi[3], double* N) { E::shape(xi, N); },
                    .shapeGradient = [](const double xi[3], double(*dN)[3]) { E::shapeGradient(xi, dN); }};
   if constexpr (requires { E::gmshOrder; }) info.gmshOrder = E::gmshOrder;
-  if constexpr (requires { E::eitherHandedness; }) info.eitherHandedness = E::eitherHandedness;
   return info;
 }
 

@@ -8,8 +8,9 @@
 
 namespace ringwatch {
 
-/// Six-node wedge (triangular prism): linear on the triangle (r, s), linear along ζ in [-1, 1]. VTK node order; nodes
-/// 3, 4, 5 lie above 0, 1, 2 on the side that the right-handed normal of 0, 1, 2 points to.
+/// Six-node wedge (triangular prism): linear on the triangle (r, s), linear along ζ in [-1, 1]. Node order of
+/// gmsh and of decks: 3, 4, 5 lie above 0, 1, 2 on the side that the right-handed normal of 0, 1, 2 points to; VTK's
+/// linear wedge has them on the other side.
 struct Wedge6 {
   static constexpr std::string_view name = "wedge6";
   static constexpr int nodes = 6;
@@ -25,8 +26,6 @@ struct Wedge6 {
       {{0, 2, 1, -1}, {3, 4, 5, -1}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}}};
   static constexpr std::array<std::array<int, 2>, 9> edges{
       {{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5}, {5, 3}, {0, 3}, {1, 4}, {2, 5}}};
-  // VTK's book draws the first triangle facing outward, its own shape functions want it facing inward.
-  static constexpr bool eitherHandedness = true;
   static constexpr std::array<CellSubdivision, 1> cellSplits{
       {{name, 2, false, CellSubdivision::wedges, CellSubdivision::wedges}}};
 

@@ -77,6 +77,20 @@ std::vector<bool> usedNodes(const Mesh& mesh) {
 
 std::int64_t nodeId(const Mesh& mesh, std::int32_t n) { return n >= 0 ? mesh.nodeId(n) : n; }
 
+/// A problem of an element whose text names it and its nodes; what is wrong is to be added.
+MeshProblem problemOf(const Mesh& mesh, ElementRef e, MeshProblem::Kind kind, double value) {
+  const MeshBlock& block = mesh.blocks[e.block];
+  const auto at = static_cast<std::size_t>(e.element);
+  MeshProblem problem{kind, e.block, e.element, block.id(at), {}, value, {}};
+  problem.text = joinText("element ", problem.id, " (", elementInfo(block.type).name, ", nodes");
+  for (int a = 0; a < block.nodesPerElement(); ++a) {
+    problem.nodes.push_back(nodeId(mesh, block.element(at)[a]));
+    problem.text += joinText(" ", problem.nodes.back());
+  }
+  problem.text += ") ";
+  return problem;
+}
+
 void dropUnusedNodes(Mesh& mesh, const std::string& source, std::vector<std::string>* notes) {
   const std::vector<bool> used = usedNodes(mesh);
   const std::size_t kept = std::count(used.begin(), used.end(), true);
@@ -104,6 +118,25 @@ void dropUnusedNodes(Mesh& mesh, const std::string& source, std::vector<std::str
     std::erase_if(nodes, [&](std::int32_t n) { return newIndex[n] < 0; });
     for (std::int32_t& n : nodes) n = newIndex[n];
   }
+}
+
+/// Why a quadratic element may be wrong: nodes lie in the middles of other edges than their own. "" where none does.
+std::string otherOrder(const Mesh& mesh, const ElementInfo& info, const std::int32_t* nodes) {
+  if (info.order == 1) return {};
+  const int corners = cornerCount(info);
+  const auto count = static_cast<int>(info.edges.size());
+  const auto distance = [&](int middle, int edge) {
+    const auto& ends = info.edges[edge];
+    return (mesh.X.col(nodes[corners + middle]) - (mesh.X.col(nodes[ends[0]]) + mesh.X.col(nodes[ends[1]])) / 2).norm();
+  };
+  int misplaced = 0, first = 0, firstEdge = 0;
+  for (int i = 0; i < count; ++i)
+    for (int edge = 0; edge < count; ++edge)
+      if (distance(i, edge) < distance(i, i) / 4 && misplaced++ == 0) first = i, firstEdge = edge;
+  if (misplaced == 0) return {};
+  return joinText("; ", misplaced, " of its nodes lie in the middle of another's edge, node ",
+                  nodeId(mesh, nodes[corners + first]), " where node ", nodeId(mesh, nodes[corners + firstEdge]),
+                  " should be: they seem to be in another program's order");
 }
 
 struct CoincidentNodes {
@@ -153,14 +186,8 @@ std::vector<MeshProblem> checkMesh(const Mesh& mesh) {
     const JacobianProbe probe(info);
     const std::size_t count = block.elementCount(), width = static_cast<std::size_t>(info.nodes);
     const auto report = [&](std::size_t e, MeshProblem::Kind kind, double value, const std::string& what) {
-      const std::int64_t id = block.id(e);
-      MeshProblem problem{kind, static_cast<std::int32_t>(b), static_cast<std::int64_t>(e), id, {}, value, {}};
-      problem.text = joinText("element ", id, " (", info.name, ", nodes");
-      for (std::size_t a = 0; a < width; ++a) {
-        problem.nodes.push_back(nodeId(mesh, block.element(e)[a]));
-        problem.text += joinText(" ", problem.nodes.back());
-      }
-      problem.text += ") " + what;
+      MeshProblem problem = problemOf(mesh, {b, e}, kind, value);
+      problem.text += what;
       problems.push_back(std::move(problem));
     };
     std::vector<std::int32_t> sorted(block.connectivity);
@@ -186,11 +213,12 @@ std::vector<MeshProblem> checkMesh(const Mesh& mesh) {
       const double least = degenerateLimit * length * length * length / info.referenceVolume;
       if (range.min < -least)
         report(e, MeshProblem::Kind::inverted, range.min,
-               joinText("is inverted: its Jacobian determinant is ", range.min, " m³; it must be above 0"));
+               joinText("is inverted: its Jacobian determinant is ", range.min, " m³; it must be above 0",
+                        otherOrder(mesh, info, nodes)));
       else if (range.min <= least)
         report(e, MeshProblem::Kind::degenerate, range.min,
                joinText("is degenerate: its Jacobian determinant is ", range.min, " m³ with a longest edge of ", length,
-                        " m; it must be above ", least));
+                        " m; it must be above ", least, otherOrder(mesh, info, nodes)));
     }
     std::vector<std::int32_t> order(count);
     std::iota(order.begin(), order.end(), 0);
@@ -249,6 +277,8 @@ std::vector<std::string> meshNotes(const Mesh& mesh, const std::string& source) 
     sizes.resize(std::min(detail::shownParts, sizes.size()));
     notes.push_back(detail::partsNote(source, parts.count, sizes));
   }
+  if (const detail::HangingNodes hanging = detail::hangingNodes(mesh, mesh.nodeCount()); hanging.count > 0)
+    notes.push_back(detail::hangingNote(source, hanging.count, nodeId(mesh, hanging.first)));
   const CoincidentNodes same = coincidentNodes(mesh);
   if (same.count > 0)
     notes.push_back(detail::coincidenceNote(source, static_cast<std::int64_t>(same.count), nodeId(mesh, same.first),
@@ -259,15 +289,7 @@ std::vector<std::string> meshNotes(const Mesh& mesh, const std::string& source) 
 void requireSound(Mesh& mesh, const std::string& source, std::vector<std::string>* notes) {
   if (mesh.elementCount() == 0) throw InputError(source + ": there are no elements; a mesh of at least one is needed");
   dropUnusedNodes(mesh, source, notes);
-  std::vector<bool> mirrored;
-  std::vector<std::int64_t> counts;
-  for (const MeshBlock& block : mesh.blocks) {
-    mirrored.push_back(block.elementCount() > 0 && detail::isMirrored(mesh, block));
-    counts.push_back(static_cast<std::int64_t>(block.elementCount()));
-  }
-  for (std::string& note : detail::turnRound(mesh, mirrored, counts, source))
-    if (notes != nullptr) notes->push_back(std::move(note));
-  const std::vector<MeshProblem> problems = checkMesh(mesh);
+  const std::vector<MeshProblem> problems = detail::turnAndCheck(mesh, source, notes);
   if (problems.empty()) return;
   std::vector<std::string> texts;
   for (std::size_t i = 0; i < std::min(detail::shownProblems, problems.size()); ++i) texts.push_back(problems[i].text);
@@ -276,37 +298,83 @@ void requireSound(Mesh& mesh, const std::string& source, std::vector<std::string
 
 namespace detail {
 
-bool isMirrored(const Mesh& mesh, const MeshBlock& block) {
-  const ElementInfo& info = elementInfo(block.type);
-  const JacobianProbe probe(info);
-  for (std::size_t e = 0; e < block.elementCount(); ++e)
-    if (!nodesInRange(mesh, block.element(e), info.nodes) || !(probe.range(mesh.X, block.element(e)).max < 0))
-      return false;
-  return true;
+std::vector<std::int64_t> turnMirrored(Mesh& mesh) {
+  std::vector<std::int64_t> turned;
+  for (MeshBlock& block : mesh.blocks) {
+    const ElementInfo& info = elementInfo(block.type);
+    const JacobianProbe probe(info);
+    std::vector<int> mirror;
+    turned.push_back(0);
+    for (std::size_t e = 0; e < block.elementCount(); ++e) {
+      std::int32_t* nodes = block.connectivity.data() + e * static_cast<std::size_t>(info.nodes);
+      if (!nodesInRange(mesh, nodes, info.nodes) || !(probe.range(mesh.X, nodes).max < 0)) continue;
+      if (mirror.empty()) mirror = mirrorPermutation(info);
+      const std::vector<std::int32_t> before(nodes, nodes + info.nodes);
+      for (std::size_t a = 0; a < mirror.size(); ++a) nodes[a] = before[mirror[a]];
+      ++turned.back();
+    }
+  }
+  return turned;
 }
 
-std::vector<std::string> turnRound(Mesh& mesh, const std::vector<bool>& mirrored,
-                                   const std::vector<std::int64_t>& counts, const std::string& source) {
+std::vector<std::string> turnedNotes(const Mesh& mesh, const std::vector<std::int64_t>& turned,
+                                     const std::vector<std::int64_t>& counts, const std::string& source) {
+  constexpr std::string_view what = " are of the other handedness and were turned round";
+  const std::int64_t all = std::accumulate(counts.begin(), counts.end(), std::int64_t{0});
+  if (all > 0 && turned == counts) return {joinText(source, ": all ", all, " elements", what)};
   std::vector<std::string> notes;
-  const bool all = std::find(mirrored.begin(), mirrored.end(), false) == mirrored.end();
-  for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
-    MeshBlock& block = mesh.blocks[b];
-    if (!all && !(elementInfo(block.type).eitherHandedness && mirrored[b])) continue;
-    const std::vector<int> mirror = mirrorPermutation(elementInfo(block.type));
-    std::vector<std::int32_t> before(mirror.size());
-    for (std::size_t e = 0; e < block.elementCount(); ++e) {
-      std::int32_t* nodes = block.connectivity.data() + e * mirror.size();
-      std::copy(nodes, nodes + mirror.size(), before.begin());
-      for (std::size_t a = 0; a < mirror.size(); ++a) nodes[a] = before[mirror[a]];
-    }
-    if (!all)
-      notes.push_back(joinText(source, ": all ", counts[b], " ", elementInfo(block.type).name,
-                               " are of the other handedness and were turned round"));
+  for (std::size_t b = 0; b < counts.size(); ++b) {
+    if (turned[b] == 0) continue;
+    notes.push_back(joinText(source, ": ", turned[b] == counts[b] ? "all " : joinText(turned[b], " of "), counts[b],
+                             " ", elementInfo(mesh.blocks[b].type).name, what));
   }
-  if (all)
-    notes.push_back(joinText(source, ": all ", std::accumulate(counts.begin(), counts.end(), std::int64_t{0}),
-                             " elements are of the other handedness and were turned round"));
   return notes;
+}
+
+std::vector<MeshProblem> overlaps(const Mesh& mesh, const std::function<bool(std::span<const std::int32_t>)>& told) {
+  std::vector<MeshProblem> problems;
+  for (const MeshBlock& block : mesh.blocks)
+    for (std::size_t e = 0; e < block.elementCount(); ++e)
+      if (!nodesInRange(mesh, block.element(e), block.nodesPerElement())) return problems;  // checkMesh names it
+  const auto cornersOf = [&](const ElementFace& at) {
+    const MeshBlock& block = mesh.blocks[at.block];
+    std::vector<std::int32_t> corners;
+    for (const int corner : elementInfo(block.type).faces[at.face])
+      if (corner >= 0) corners.push_back(block.element(at.element)[corner]);
+    return corners;
+  };
+  const FaceNeighbours neighbours = faceNeighbours(mesh);
+  const std::vector<std::size_t> first = blockOffsets(mesh);
+  for (std::size_t b = 0; b < mesh.blocks.size(); ++b)
+    for (std::size_t f = 0; f < elementInfo(mesh.blocks[b].type).faces.size(); ++f)
+      for (std::size_t e = 0; e < mesh.blocks[b].elementCount(); ++e) {
+        const ElementFace other = neighbours.rows.row(first[b] + e)[f];
+        const ElementRef own(b, e);
+        if (other.element < 0 || ElementRef(other.block, other.element) > own) continue;  // told of the later one
+        const std::vector<std::int32_t> corners = cornersOf({own.block, own.element, static_cast<std::int32_t>(f)});
+        std::vector<std::int32_t> theirs = cornersOf(other);
+        std::rotate(theirs.begin(), std::find(theirs.begin(), theirs.end(), corners[0]), theirs.end());
+        if (theirs[1] != corners[1] || (told && !told(corners))) continue;  // neighbours go round a face either way
+        MeshProblem problem = problemOf(mesh, own, MeshProblem::Kind::inverted, static_cast<double>(f));
+        problem.text += joinText("is inverted: it lies on the same side of a face as element ",
+                                 mesh.blocks[other.block].id(static_cast<std::size_t>(other.element)));
+        problems.push_back(std::move(problem));
+      }
+  return problems;
+}
+
+std::vector<MeshProblem> turnAndCheck(Mesh& mesh, const std::string& source, std::vector<std::string>* notes) {
+  std::vector<std::int64_t> counts;
+  for (const MeshBlock& block : mesh.blocks) counts.push_back(static_cast<std::int64_t>(block.elementCount()));
+  const std::vector<std::int64_t> turned = turnMirrored(mesh);
+  std::vector<MeshProblem> problems = checkMesh(mesh);
+  if (isPartlyTurned(turned, counts)) {
+    std::vector<MeshProblem> folded = overlaps(mesh, nullptr);
+    problems.insert(problems.end(), folded.begin(), folded.end());
+  }
+  if (notes != nullptr)
+    for (std::string& note : turnedNotes(mesh, turned, counts, source)) notes->push_back(std::move(note));
+  return problems;
 }
 
 std::string droppedNodesNote(const std::string& source, std::int64_t dropped, std::int64_t firstId) {
@@ -327,6 +395,47 @@ std::string partsNote(const std::string& source, std::int64_t count, const std::
   return joinText(source, ": the mesh falls into ", count, " parts that share no node, of ", list,
                   count > static_cast<std::int64_t>(sizes.size()) ? ", … elements" : " elements",
                   "; they move independently");
+}
+
+HangingNodes hangingNodes(const Mesh& mesh, std::size_t nodes) {
+  HangingNodes hanging;
+  const CompressedRows<ElementNode> incidence = nodeElements(mesh);
+  const auto cornersOf = [&](const ElementNode& at) {
+    const MeshBlock& block = mesh.blocks[at.block];
+    return std::span(block.element(at.element), static_cast<std::size_t>(cornerCount(elementInfo(block.type))));
+  };
+  std::vector<std::size_t> markedBy(mesh.nodeCount(), 0);  // the last element whose corners were marked, from 1
+  std::size_t mark = 0;
+  std::vector<ElementNode> reached, apart;
+  for (std::size_t n = 0; n < nodes; ++n) {
+    const auto around = incidence.row(n);
+    // The middle of an edge is where its ends are, if anywhere.
+    const auto isCorner = [&](const ElementNode& at) {
+      return static_cast<std::size_t>(at.localNode) < cornersOf(at).size();
+    };
+    if (around.size() < 2 || !std::ranges::all_of(around, isCorner)) continue;
+    reached.assign(around.begin(), around.begin() + 1);
+    apart.assign(around.begin() + 1, around.end());
+    for (std::size_t i = 0; i < reached.size() && !apart.empty(); ++i) {
+      ++mark;
+      for (const std::int32_t corner : cornersOf(reached[i])) markedBy[corner] = mark;
+      // Three common corners are a face, or the part of one that a smaller face meets.
+      std::erase_if(apart, [&](const ElementNode& other) {
+        const auto common =
+            std::ranges::count_if(cornersOf(other), [&](std::int32_t c) { return markedBy[c] == mark; });
+        if (common >= 3) reached.push_back(other);
+        return common >= 3;
+      });
+    }
+    if (!apart.empty() && hanging.count++ == 0) hanging.first = static_cast<std::int32_t>(n);
+  }
+  return hanging;
+}
+
+std::string hangingNote(const std::string& source, std::int64_t count, std::int64_t firstId) {
+  return joinText(source, ": at ", count, count == 1 ? " node" : " nodes", ", the first is node ", firstId,
+                  ", elements meet that share no face there: parts hang together by an edge or a node alone, and turn "
+                  "against each other there");
 }
 
 std::string coincidenceNote(const std::string& source, std::int64_t count, std::int64_t firstId,

@@ -1,6 +1,9 @@
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -10,12 +13,20 @@ namespace ringwatch::detail {
 
 // What requireSound and meshNotes are made of, for a mesh that several processes have parts of.
 
-/// True when every element of the block is of the other handedness; also of a block without elements.
-bool isMirrored(const Mesh& mesh, const MeshBlock& block);
-/// Turns round blocks of the other handedness, or of an element type that may be of either. mirrored: isMirrored of
-/// each block of the whole mesh; counts: elements of each in the whole. Returns notes.
-std::vector<std::string> turnRound(Mesh& mesh, const std::vector<bool>& mirrored,
-                                   const std::vector<std::int64_t>& counts, const std::string& source);
+/// Turns round each element whose Jacobian determinant is negative everywhere. Returns their number in each block.
+std::vector<std::int64_t> turnMirrored(Mesh& mesh);
+/// counts: elements of each block.
+inline bool isPartlyTurned(const std::vector<std::int64_t>& turned, const std::vector<std::int64_t>& counts) {
+  return turned != counts && std::ranges::any_of(turned, [](std::int64_t n) { return n > 0; });
+}
+std::vector<std::string> turnedNotes(const Mesh& mesh, const std::vector<std::int64_t>& turned,
+                                     const std::vector<std::int64_t>& counts, const std::string& source);
+/// Elements that lie on the same side of a face as their neighbour there: what turnMirrored makes of an element that is
+/// folded over and not only numbered the other way, by block, face (their value) and element. told: which are wanted,
+/// by the corners of the face; empty for all.
+std::vector<MeshProblem> overlaps(const Mesh& mesh, const std::function<bool(std::span<const std::int32_t>)>& told);
+/// turnMirrored, then all that checkMesh finds, and overlaps where some elements alone were turned.
+std::vector<MeshProblem> turnAndCheck(Mesh& mesh, const std::string& source, std::vector<std::string>* notes);
 std::string droppedNodesNote(const std::string& source, std::int64_t dropped, std::int64_t firstId);
 /// Problems whose texts are told, of several.
 constexpr std::size_t shownProblems = 3;
@@ -25,6 +36,14 @@ std::string problemsText(const std::string& source, std::int64_t count, const st
 constexpr std::size_t shownParts = 5;
 /// sizes: elements of the largest parts, descending, at most shownParts.
 std::string partsNote(const std::string& source, std::int64_t count, const std::vector<std::int64_t>& sizes);
+/// Nodes around which elements fall into several groups that share no face there.
+struct HangingNodes {
+  std::int64_t count = 0;
+  std::int32_t first = -1;
+};
+/// Among so many nodes, the first ones of the mesh, which has all of their elements.
+HangingNodes hangingNodes(const Mesh& mesh, std::size_t nodes);
+std::string hangingNote(const std::string& source, std::int64_t count, std::int64_t firstId);
 std::string coincidenceNote(const std::string& source, std::int64_t count, std::int64_t firstId, std::int64_t secondId);
 
 /// Cells of space in which nodes are sought that lie closer to each other than 1e-9 of the diagonal of the bounding

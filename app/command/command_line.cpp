@@ -44,6 +44,7 @@
 #include <ringwatch/base/nearest_name.h>
 #include <ringwatch/base/user_text.h>
 #include <ringwatch/integrators/integrator.h>
+#include <ringwatch/meshes/check_texts.h>
 #include <ringwatch/meshes/mesh_io.h>
 #include <ringwatch/monitor/metrics/metrics.h>
 
@@ -821,7 +822,15 @@ struct MeshCommand {
 
   ExitStatus executeConvert() const {
     std::vector<std::string> notes;
-    const Mesh mesh = readMesh(input, &notes);
+    Mesh mesh = readMesh(input, &notes);
+    // What is only numbered the other way is written right; a folded element stays what it is.
+    Mesh turned = mesh;
+    std::vector<std::string> turnedNotes;
+    const std::vector<MeshProblem> problems = detail::turnAndCheck(turned, input, &turnedNotes);
+    if (std::ranges::none_of(problems, [](const MeshProblem& p) { return p.kind == MeshProblem::Kind::inverted; })) {
+      mesh = std::move(turned);
+      notes.insert(notes.end(), turnedNotes.begin(), turnedNotes.end());
+    }
     write(mesh, target);
     for (const std::string& note : notes) printOut("note: " + note + "\n");
     printOut(fmt::format("{}: {} nodes, {}\n", target, mesh.nodeCount(), elementCounts(mesh)));

@@ -153,30 +153,40 @@ MeshBox boxOf(Ranks& ranks, const NodeVectors& X) {
 }
 
 std::vector<std::string> mendShared(Ranks& ranks, SharedMesh& mesh, const std::vector<std::int64_t>& counts,
-                                    const std::string& source) {
+                                    const std::string& source, bool& partlyTurned) {
   std::vector<std::string> notes;
   if (mesh.droppedNodes > 0)
     notes.push_back(detail::droppedNodesNote(source, mesh.droppedNodes, mesh.firstDroppedNode));
-  std::vector<bool> mirrored;
-  for (const MeshBlock& block : mesh.slice.blocks)
-    mirrored.push_back(ranks.least(detail::isMirrored(mesh.slice, block) ? 1 : 0) == 1);
-  for (std::string& note : detail::turnRound(mesh.slice, mirrored, counts, source)) notes.push_back(std::move(note));
+  std::vector<std::int64_t> turned = detail::turnMirrored(mesh.slice);
+  for (std::int64_t& count : turned) count = sumOver(ranks, count);
+  for (std::string& note : detail::turnedNotes(mesh.slice, turned, counts, source)) notes.push_back(std::move(note));
+  partlyTurned = detail::isPartlyTurned(turned, counts);
   return notes;
 }
 
-void requireSoundPart(Ranks& ranks, const RankPart& part, const std::string& source) {
+void requireSoundPart(Ranks& ranks, const RankPart& part, const std::string& source, bool partlyTurned) {
   struct Found {
     std::int64_t order;
     std::string text;
   };
   std::vector<Found> own;
+  const auto add = [&](std::int64_t place, MeshProblem& problem) {
+    own.push_back({(place << 32) | part.globalElements[problem.block][problem.index], std::move(problem.text)});
+  };
   for (MeshProblem& problem : checkMesh(part.mesh)) {
-    const ElementRef e(problem.block, problem.index);
-    if (problem.block < 0 || !part.counts(e)) continue;
+    if (problem.block < 0 || !part.counts({problem.block, problem.index})) continue;
     // Of a block first what an element is by itself.
     const std::int64_t twice = problem.kind == MeshProblem::Kind::duplicateElement ? 1 : 0;
-    own.push_back({((std::int64_t{e.block} * 2 + twice) << 32) | part.globalElements[e.block][e.element],
-                   std::move(problem.text)});
+    add(std::int64_t{problem.block} * 2 + twice, problem);
+  }
+  if (partlyTurned) {
+    // Of the owner of a face's first node, who has both of its elements.
+    const auto isOwn = [&](std::span<const std::int32_t> face) {
+      return *std::ranges::min_element(face, {}, [&](std::int32_t n) { return part.globalNodes[n]; }) < part.ownedNodes;
+    };
+    const auto behind = 2 * static_cast<std::int64_t>(part.mesh.blocks.size());
+    for (MeshProblem& problem : detail::overlaps(part.mesh, isOwn))
+      add(behind + (std::int64_t{problem.block} << 8) + static_cast<std::int64_t>(problem.value), problem);
   }
   std::sort(own.begin(), own.end(), [](const Found& a, const Found& b) { return a.order < b.order; });
   const std::int64_t count = sumOver(ranks, static_cast<std::int64_t>(own.size()));
@@ -197,6 +207,13 @@ std::vector<std::string> partNotes(Ranks& ranks, const RankPart& part, const Mes
   std::vector<std::string> notes;
   if (const auto [count, sizes] = connectedPieces(ranks, part); count > 1)
     notes.push_back(detail::partsNote(source, count, sizes));
+  const detail::HangingNodes own = detail::hangingNodes(part.mesh, static_cast<std::size_t>(part.ownedNodes));
+  if (const std::int64_t count = sumOver(ranks, own.count); count > 0) {
+    const std::int64_t here = own.count > 0 ? part.globalNodes[own.first] : noFault;
+    const std::int64_t first = ranks.least(here);
+    const std::int64_t id = ranks.least(here == first && own.count > 0 ? part.mesh.nodeId(own.first) : noFault);
+    notes.push_back(detail::hangingNote(source, count, id));
+  }
   if (const auto [count, first] = coincidences(ranks, part, box); count > 0)
     notes.push_back(detail::coincidenceNote(source, count, first.otherId, first.id));
   return notes;

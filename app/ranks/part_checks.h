@@ -19,12 +19,13 @@ struct MeshBox {
 };
 MeshBox boxOf(Ranks& ranks, const NodeVectors& X);
 
-/// The first steps of requireSound: blocks of the other handedness are turned round, and nodes that no element has are
-/// gone. counts: elements of each block in the whole. Returns notes.
+/// The first steps of requireSound: elements of the other handedness are turned round, and nodes that no element has
+/// are gone. counts: elements of each block in the whole; partlyTurned: whether some elements alone were. Returns
+/// notes.
 std::vector<std::string> mendShared(Ranks& ranks, SharedMesh& mesh, const std::vector<std::int64_t>& counts,
-                                    const std::string& source);
+                                    const std::string& source, bool& partlyTurned);
 /// The last one. Throws InputError where an element is not sound.
-void requireSoundPart(Ranks& ranks, const RankPart& part, const std::string& source);
+void requireSoundPart(Ranks& ranks, const RankPart& part, const std::string& source, bool partlyTurned);
 
 /// meshNotes.
 std::vector<std::string> partNotes(Ranks& ranks, const RankPart& part, const MeshBox& box, const std::string& source);

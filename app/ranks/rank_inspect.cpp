@@ -80,12 +80,13 @@ class MeshInParts final : public InspectedParts {
       const auto add = [&](std::vector<std::string> notes) {
         for (std::string& note : notes) figures.notes.push_back(std::move(note));
       };
-      add(mendShared(ranks_, shared, file.elementCounts, source));
+      bool partlyTurned = false;
+      add(mendShared(ranks_, shared, file.elementCounts, source, partlyTurned));
       box = boxOf(ranks_, shared.X);
       std::vector<NumberedElements> pieces = orderElements(ranks_, shared, box.low, box.high);
       const std::vector<std::vector<std::int32_t>> cut = cutElements(ranks_, shared, pieces);
       part = gatherPart(ranks_, std::move(shared), std::move(pieces), cut);
-      requireSoundPart(ranks_, part, source);
+      requireSoundPart(ranks_, part, source, partlyTurned);
       add(partNotes(ranks_, part, box, source));
     }
     for (const auto& [name, nodes] : part.mesh.nodeSets) figures.nodeSets[name] = sumOver(ranks_, ownedOf(part, nodes));

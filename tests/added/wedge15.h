@@ -33,7 +33,6 @@ struct Wedge15 {
   static constexpr int gmshType = 18;
   static constexpr bool constantGradient = false;
   static constexpr bool positiveRowSums = false;
-  static constexpr bool eitherHandedness = true;
   static constexpr double referenceVolume = 1.0;
   static constexpr std::array<std::array<double, 3>, nodes> referenceNodes{{{0, 0, -1},
                                                                             {1, 0, -1},

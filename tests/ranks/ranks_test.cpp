@@ -506,6 +506,9 @@ TEST_F(RanksProgram, RefusesABadMeshInParts) {
   bad.blocks.back().connectivity[1] = bad.blocks.back().connectivity[0];
   write(bad, "inverted.msh");
   bad = mesh;
+  bad.X.col(bad.X.cols() / 2).array() += 10;  // elements around it lie on each other
+  write(bad, "folded.msh");
+  bad = mesh;
   for (int a = 0; a < bad.blocks[0].nodesPerElement(); ++a)
     bad.blocks[0].connectivity.push_back(bad.blocks[0].connectivity[static_cast<std::size_t>(a)]);
   if (!bad.blocks[0].ids.empty()) bad.blocks[0].ids.push_back(99999);
@@ -524,7 +527,7 @@ TEST_F(RanksProgram, RefusesABadMeshInParts) {
     }
   };
   for (const char* name :
-       {"unknown", "repeated", "negative", "infinite", "no_elements", "no_end", "inverted", "double"})
+       {"unknown", "repeated", "negative", "infinite", "no_elements", "no_end", "inverted", "folded", "double"})
     expectRefused(std::string(name) + ".msh" + law, true);
   // The places differ: what of a list is missing, and that it is cut short.
   for (const char* name : {"cut_nodes", "cut_elements"}) expectRefused(std::string(name) + ".msh" + law, false);
