@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <ringwatch/base/registry.h>
+#include <ringwatch/meshes/check_texts.h>
 #include <ringwatch/meshes/formats/deck_lines.h>
 #include <ringwatch/meshes/formats/file_cursor.h>
 #include <ringwatch/meshes/formats/mesh_readers.h>
@@ -18,7 +19,7 @@ bool startsWithXml(std::string_view text) {
   return at != std::string_view::npos && text[at] == '<';
 }
 
-bool startsWithMsh(std::string_view text) { return text.starts_with("$MeshFormat"); }
+bool startsWithMsh(std::string_view text) { return text.starts_with("$MeshFormat") || text.starts_with("$Comments"); }
 bool startsWithLegacyVtk(std::string_view text) { return text.starts_with("# vtk DataFile"); }
 
 fs::path withSuffix(fs::path stem, const char* suffix) {
@@ -86,10 +87,15 @@ Mesh read(const fs::path& path, detail::Notes* notes, detail::Problems* problems
   for (const MeshFormatEntry& format : entries)
     if (format.ownsPath != nullptr && format.ownsPath(path)) return format.readPath(path, notes, problems);
   const std::string text = detail::readWholeFile(path);
+  const MeshFormatEntry* named = registry().find(extension);
+  const auto isRegistered = [&](const MeshFormatEntry& format) {
+    return &format == named || (format.isBegin != nullptr && format.isBegin(text));
+  };
+  if (std::ranges::none_of(entries.subspan(std::size(formatsOfLibrary)), isRegistered))
+    detail::refuseForeign(path, text);
   // The content decides; the extension only helps where the content says nothing.
   for (const MeshFormatEntry& format : entries)
     if (format.isBegin != nullptr && format.isBegin(text)) return format.read(path, text, notes, problems);
-  const MeshFormatEntry* named = registry().find(extension);
   if (named != nullptr && named->mustBegin.empty()) return named->read(path, text, notes, problems);
   const std::string begin = detail::quoted(std::string_view(text).substr(0, text.find_first_of("\r\n")));
   if (named != nullptr)
@@ -143,8 +149,8 @@ MeshState loadVtuState(const fs::path& path, const std::string& displacement, st
 
 std::vector<MeshProblem> checkMeshFile(const fs::path& path, std::vector<std::string>* notes) {
   std::vector<MeshProblem> problems;
-  const Mesh mesh = read(path, notes, &problems);
-  for (MeshProblem& problem : checkMesh(mesh)) {
+  Mesh mesh = read(path, notes, &problems);
+  for (MeshProblem& problem : detail::turnAndCheck(mesh, path.string(), notes)) {
     // The reader has listed these already, with their line.
     if (problem.kind == MeshProblem::Kind::missingNode || problem.kind == MeshProblem::Kind::nonFinite) continue;
     problem.text = path.string() + ": " + problem.text;

@@ -6,6 +6,7 @@
 #include <ringwatch/base/nearest_name.h>
 #include <ringwatch/base/user_text.h>
 #include <ringwatch/meshes/check.h>
+#include <ringwatch/meshes/formats/mesh_builder.h>
 #include <ringwatch/meshes/generators/generator_registry.h>
 #include <ringwatch/meshes/mesh_io.h>
 #include <ringwatch/python/arrays.h>
@@ -49,7 +50,7 @@ std::vector<std::int64_t> idsOf(const std::string& name, py::handle given, std::
 }
 
 HeldMesh meshOf(py::handle points, const py::object& cells, const py::dict& nodeSets, const py::object& nodeIds,
-                const py::object& cellIds) {
+                const py::object& cellIds, const py::dict& cellSets) {
   Mesh mesh;
   const std::span<const double> numbers = realsOf("points", points, {-1, 3});
   const Eigen::Index nodes = numbers.size() / 3;
@@ -78,6 +79,18 @@ HeldMesh meshOf(py::handle points, const py::object& cells, const py::dict& node
   for (const auto& [name, set] : nodeSets) {
     const auto key = name.cast<std::string>();
     mesh.nodeSets[key] = indicesOf(joinText("node_sets[", inQuotes(key), "]").c_str(), set, 1, nodes);
+  }
+  for (const auto& [name, set] : cellSets) {
+    const auto key = name.cast<std::string>();
+    const std::string argument = joinText("cell_sets[", inQuotes(key), "]");
+    if (!py::isinstance<py::sequence>(set) || py::len(set) != mesh.blocks.size())
+      throw InputError(joinText(argument, ": ", describe(set), "; must be a list of an array for each of the ",
+                                mesh.blocks.size(), " blocks"));
+    std::vector<ElementRef>& members = mesh.elementSets[key];
+    for (std::size_t b = 0; b < mesh.blocks.size(); ++b)
+      for (const std::int32_t e :
+           indicesOf(argument.c_str(), set[py::int_(b)], 1, static_cast<std::int64_t>(mesh.blocks[b].elementCount())))
+        members.emplace_back(b, e);
   }
   if (!nodeIds.is_none()) mesh.nodeIds = idsOf("node_ids", nodeIds, mesh.nodeCount());
   if (!cellIds.is_none()) {
@@ -129,14 +142,20 @@ py::list blocksOf(const py::object& self) {
   return blocks;
 }
 
-/// (name, nodes, number of VTK, number of gmsh, node i in gmsh's element) of every element, for readers of other
-/// packages' meshes.
+/// (name, nodes, number of VTK, number of gmsh, node i in gmsh's element, in VTK's) of every element, for readers of
+/// other packages' meshes.
 py::tuple elements() {
   py::list all;
   for (const ElementInfo& info : allElements()) {
     py::list order;
     for (int i = 0; i < info.nodes; ++i) order.append(info.gmshOrder.empty() ? i : int{info.gmshOrder[i]});
-    all.append(py::make_tuple(std::string(info.name), info.nodes, info.vtkCellType, info.gmshType, py::tuple(order)));
+    py::list ofVtk;
+    const bool wedge =
+        detail::vtkCell(info.vtkCellType, static_cast<std::size_t>(info.nodes)).order == detail::NodeOrder::vtkWedge;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(info.nodes); ++i)
+      ofVtk.append(wedge ? std::size_t{detail::vtkWedgeOrder[i]} : i);
+    all.append(py::make_tuple(std::string(info.name), info.nodes, info.vtkCellType, info.gmshType, py::tuple(order),
+                              py::tuple(ofVtk)));
   }
   return py::tuple(all);
 }
@@ -156,15 +175,16 @@ void bindMesh(py::module_& module) {
       "Points and elements, which never change: Mesh(points, {\"tet4\": cells}).\n\n"
       "points: (N, 3) float64 in C order, m. cells: by element name, ringwatch's or meshio's, (n, nodes of the "
       "element)\n"
-      "of whole numbers in VTK's node order; or a list of (name, cells). node_sets: node numbers by name. node_ids,\n"
-      "cell_ids: the numbers of another program, for messages: (N,), and a list of an array for each block. All of "
-      "them\n"
-      "are copied. Raises InputError for arrays of another shape or type, and for a mesh that is not sound: inverted "
-      "or\n"
-      "degenerate elements, nodes that do not exist. A mesh whose elements are all of the other handedness is turned\n"
-      "round, and nodes that no element uses are dropped: `notes` says so.",
+      "of whole numbers in VTK's node order, of a wedge in gmsh's; or a list of (name, cells). node_sets: node numbers\n"
+      "by name. node_ids, cell_ids: the numbers of another program, for messages: (N,), and a list of an array for "
+      "each\n"
+      "block. cell_sets: lists of the same form by name, with elements counted in their blocks. All of them are "
+      "copied.\n"
+      "Raises InputError for arrays of another shape or type, and for a mesh that is not sound: inverted or degenerate\n"
+      "elements, nodes that do not exist. Elements of the other handedness are turned round, and nodes that no element\n"
+      "uses are dropped: `notes` says so.",
       "", py::arg("points"), py::arg("cells"), py::kw_only(), py::arg("node_sets") = py::dict(),
-      py::arg("node_ids") = py::none(), py::arg("cell_ids") = py::none());
+      py::arg("node_ids") = py::none(), py::arg("cell_ids") = py::none(), py::arg("cell_sets") = py::dict());
   mesh.def("__repr__",
            [](const HeldMesh& self) {
              std::string text = joinText("<Mesh: ", meshText(*self.mesh));
@@ -204,6 +224,21 @@ void bindMesh(py::module_& module) {
             return sets;
           },
           "Node numbers by name: views.")
+      .def_property_readonly(
+          "cell_sets",
+          [](const HeldMesh& self) {
+            py::dict sets;
+            for (const auto& [name, set] : self.mesh->elementSets) {
+              std::vector<std::vector<std::int32_t>> members(self.mesh->blocks.size());
+              for (const ElementRef e : set) members[static_cast<std::size_t>(e.block)].push_back(e.element);
+              py::list arrays;
+              for (const std::vector<std::int32_t>& own : members)
+                arrays.append(py::array_t<std::int32_t>(static_cast<py::ssize_t>(own.size()), own.data()));
+              sets[py::str(name)] = arrays;
+            }
+            return sets;
+          },
+          "Elements by name, a list of an array for each block.")
       .def_property_readonly(
           "notes", [](const HeldMesh& self) { return py::tuple(py::cast(self.notes)); },
           "What the reader wants to be known, one line each.")

@@ -64,6 +64,7 @@ void DeckLines::open(const std::filesystem::path& path, const std::string* text)
     if (!known) known = std::make_unique<std::string>(readWholeFile(path));
     text = known.get();
   }
+  refuseForeign(path, *text);
   sources_.push_back({path, canonical, text, bytes_, std::make_unique<FileCursor>(*text, path.string())});
   bytes_ += text->size() + 1;  // so that the end of a file has a position of its own
   open_.push_back({sources_.size() - 1, 0});

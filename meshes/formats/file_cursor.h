@@ -14,8 +14,12 @@
 namespace ringwatch::detail {
 
 /// The bytes of a file or of a pipe. Throws InputError when it is missing, something else such as a folder or a device,
-/// larger than the machine's memory (through a pipe: than 4 GiB), or cannot be read.
+/// larger than the machine's memory (through a pipe: than 4 GiB), cannot be read, or stands
+/// for another file: a pointer of Git LFS, a packed file.
 std::string readWholeFile(const std::filesystem::path& path);
+
+/// Throws InputError for the text of a mesh in a format that is known but not read, and names it.
+void refuseForeign(const std::filesystem::path& path, std::string_view text);
 
 /// The bytes of a regular file where they are: what is not looked at is not read. Throws InputError as readWholeFile
 /// does; a file that another program cuts short meanwhile ends this one.

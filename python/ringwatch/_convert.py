@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from ._errors import InputError
 from ._ringwatch import Mesh, _elements
 
-# meshio's names of cells with volume. Its order of nodes is VTK's, as ours is.
+# meshio's names of cells with volume. Its order of nodes is ours.
 _ELEMENT_OF_MESHIO = {
     "tetra": "tet4",
     "tetra10": "tet10",
@@ -19,7 +19,8 @@ _ELEMENT_OF_MESHIO = {
     "pyramid": "pyramid5",
 }
 # Surfaces, lines and points that such files hold beside the volume.
-_BELOW_VOLUME = ("vertex", "line", "triangle", "quad", "polygon")
+_BELOW_VOLUME_BY_DIMENSION = (("vertex",), ("line",), ("triangle", "quad", "polygon"))
+_BELOW_VOLUME = tuple(name for names in _BELOW_VOLUME_BY_DIMENSION for name in names)
 
 
 def mesh_from(source: Any) -> Mesh:
@@ -27,7 +28,8 @@ def mesh_from(source: Any) -> Mesh:
 
     source: a vtkUnstructuredGrid, which PyVista's are too, with the sets that ringwatch writes into .vtu files; gmsh, the module, for its current model, with its numbers of
     nodes and elements and its physical groups of surfaces, lines and points as node sets; a meshio.Mesh, or any object
-    with `points` (N, 3) and `cells`, each with a `type` and `data`. Cells with volume become a block for each of their
+    with `points` (N, 3) and `cells`, each with a `type` and `data`, and its groups where it has them: point sets, and
+    cell sets and physical groups of surfaces, lines and points, become node sets, those of volumes cell sets. Cells with volume become a block for each of their
     types, or of meshio's blocks, in their order; surfaces, lines and points are left out. Coordinates are taken as m.
     Raises InputError for another object and for cells that ringwatch does not have.
     """
@@ -44,14 +46,43 @@ def mesh_from(source: Any) -> Mesh:
             f"mesh_from: an object of type {type(source).__name__}; must be a vtkUnstructuredGrid, the module gmsh, or "
             "have points and cells as a meshio.Mesh has"
         ) from None
-    blocks = []
-    for name, data in named:
+    blocks, volumes = [], []
+    for i, (name, data) in enumerate(named):
         if name in _ELEMENT_OF_MESHIO:
             blocks.append((_ELEMENT_OF_MESHIO[name], data))
+            volumes.append(i)
         elif not name.startswith(_BELOW_VOLUME):
             known = ", ".join(_ELEMENT_OF_MESHIO)
             raise InputError(f"mesh_from: unknown cells '{name}'; known are {known}, and those without volume")
-    return Mesh(np.ascontiguousarray(points, dtype=np.float64), blocks)
+    node_sets = {str(name): np.asarray(nodes, dtype=np.int64) for name, nodes in getattr(source, "point_sets", {}).items()}
+    cell_sets: dict[str, list[NDArray[np.int64]]] = {}
+    for name, members in _groups(source, named).items():
+        flat = [data[own].ravel() for i, ((_, data), own) in enumerate(zip(named, members)) if i not in volumes]
+        nodes = np.unique(np.concatenate([np.empty(0, np.int64), *flat, node_sets.get(name, np.empty(0, np.int64))]))
+        if nodes.size:
+            node_sets[name] = nodes.astype(np.int64)
+        if any(members[i].size for i in volumes):
+            cell_sets[name] = [members[i] for i in volumes]
+    return Mesh(np.ascontiguousarray(points, dtype=np.float64), blocks, node_sets=node_sets, cell_sets=cell_sets)
+
+
+def _groups(source: Any, blocks: list[tuple[str, NDArray[Any]]]) -> dict[str, list[NDArray[np.int64]]]:
+    """The cells of each group of a meshio.Mesh, an array for each block: its cell sets, and the physical groups of gmsh."""
+    groups: dict[str, list[NDArray[np.int64]]] = {}
+    for name, members in getattr(source, "cell_sets", {}).items():
+        if not name.startswith("gmsh:"):
+            groups[str(name)] = [np.asarray(() if own is None else own, dtype=np.int64) for own in members]
+    listed = set(groups)
+    names = {(int(tag), int(dimension)): name for name, (tag, dimension) in getattr(source, "field_data", {}).items()}
+    for i, tags in enumerate(getattr(source, "cell_data", {}).get("gmsh:physical", [])):
+        kind = blocks[i][0]
+        dimension = next((d for d, begin in enumerate(_BELOW_VOLUME_BY_DIMENSION) if kind.startswith(begin)), 3)
+        for tag in np.unique(np.abs(tags)):
+            name = names.get((int(tag), dimension), f"{('point', 'curve', 'surface', 'volume')[dimension]}-{tag}")
+            if tag != 0 and name not in listed:
+                own = groups.setdefault(name, [np.empty(0, np.int64) for _ in blocks])
+                own[i] = np.flatnonzero(np.abs(tags) == tag)
+    return groups
 
 
 def _from_vtk(grid: Any) -> Mesh:
@@ -61,7 +92,7 @@ def _from_vtk(grid: Any) -> Mesh:
     types = np.array(grid.GetCellTypesArray()).ravel()
     offsets = np.array(grid.GetCells().GetOffsetsArray(), dtype=np.int64).ravel()
     nodes = np.array(grid.GetCells().GetConnectivityArray(), dtype=np.int64).ravel()
-    element_of_type = {vtk: (name, count) for name, count, vtk, _, _ in _elements()}
+    element_of_type = {vtk: (name, count, order) for name, count, vtk, _, _, order in _elements()}
     blocks: list[tuple[str, NDArray[np.int64]]] = []
     ids: list[NDArray[np.int64]] = []
     for kind in _in_order(types):
@@ -69,15 +100,15 @@ def _from_vtk(grid: Any) -> Mesh:
         if grid.GetCell(int(cells[0])).GetCellDimension() < 3:
             continue
         if kind not in element_of_type:
-            known = ", ".join(f"{number} ({name})" for number, (name, _) in element_of_type.items() if number)
+            known = ", ".join(f"{number} ({name})" for number, (name, _, _) in element_of_type.items() if number)
             raise InputError(
                 f"mesh_from: cell {cells[0]} is of VTK's type {kind}; known are {known}, and those without volume"
             )
-        name, count = element_of_type[kind]
+        name, count, order = element_of_type[kind]
         begin = offsets[cells]
         if np.any(offsets[cells + 1] - begin != count):
             raise InputError(f"mesh_from: cells of VTK's type {kind} without {count} points each; {name} has {count}")
-        blocks.append((name, nodes[begin[:, None] + np.arange(count)]))
+        blocks.append((name, nodes[begin[:, None] + np.array(order)]))
         ids.append(cells.astype(np.int64))
     sets: dict[str, NDArray[np.int64]] = {}
     node_ids = None
@@ -104,7 +135,7 @@ def _from_gmsh(model: Any) -> Mesh:
         at = np.searchsorted(tags, wanted, sorter=order)
         return np.asarray(order[at], dtype=np.int64)
 
-    element_of_type = {gmsh: (name, gmsh_order) for name, _, _, gmsh, gmsh_order in _elements()}
+    element_of_type = {gmsh: (name, gmsh_order) for name, _, _, gmsh, gmsh_order, _ in _elements()}
     blocks: list[tuple[str, NDArray[np.int64]]] = []
     ids: list[NDArray[np.int64]] = []
     for kind in model.mesh.getElementTypes(3):
