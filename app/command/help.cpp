@@ -45,7 +45,8 @@ std::string namesIn(const Table& table) {
 
 std::string elementsText() {
   std::string text =
-      "Elements with their quadrature rules, the first of which is the default. Node order is VTK's.\n\n";
+      "Elements with their quadrature rules, the first of which is the default. Node order is VTK's, of a wedge6 "
+      "gmsh's.\n\n";
   const auto numberIn = [](int type) { return type > 0 ? fmt::format("{}", type) : "none"; };  // of a file format
   for (const ElementInfo& info : allElements()) {
     text += fmt::format("  {:<17} {} nodes, order {}; VTK cell {}, gmsh type {}\n", info.name, info.nodes, info.order,

@@ -277,7 +277,8 @@ std::string jsonPage(const Commands&) {
 
 std::string elementsPage(const Commands&) {
   Page page("Elements",
-            "Elements with their quadrature rules, the first of which is the default. Node order is VTK's.");
+            "Elements with their quadrature rules, the first of which is the default. Node order is VTK's, of a wedge6 "
+            "gmsh's.");
   page.table({"element", "nodes", "order", "VTK cell", "gmsh type"});
   const auto numberIn = [](int type) { return type > 0 ? std::to_string(type) : std::string("none"); };
   for (const ElementInfo& info : allElements())

@@ -1,4 +1,6 @@
 #include <bit>
+#include <cmath>
+#include <cstdio>
 #include <cstring>
 
 #include <ringwatch/meshes/generators/generators.h>
@@ -195,6 +197,195 @@ TEST(MeshIo, MirroredHexahedraAreTurnedRound) {
   requireSound(mesh, "m", &notes);
   EXPECT_EQ(notes.size(), 1u);
   EXPECT_NEAR(meshVolume(mesh), 1.0, 1e-14);
+}
+
+/// Numbers as %12.5E writes them, with so many digits in the exponent at least: C on Windows has three.
+std::string frdNumber(double value, int digits, bool letter = true) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.5E", value);
+  std::string number = text;
+  const std::size_t sign = number.find('E') + 1;
+  while (number.size() - sign - 1 < static_cast<std::size_t>(digits)) number.insert(sign + 1, "0");
+  if (!letter) number.erase(sign - 1, 1);
+  return std::string(number.size() < 12 ? 12 - number.size() : 0, ' ') + number;
+}
+
+TEST(MeshIo, FrdNumbersOfAnyExponentAndWidthAreReadOrRefused) {
+  const TemporaryFolder folder;
+  const auto write = [&](const std::vector<std::string>& numbers) {
+    std::string text = "    1C\n    2C" + std::string(28, ' ') + "4" + std::string(37, ' ') + "1\n";
+    for (std::size_t i = 0; i < 4; ++i)
+      text += " -1         " + std::to_string(i + 1) + numbers[3 * i] + numbers[3 * i + 1] + numbers[3 * i + 2] + "\n";
+    text += " -3\n    3C" + std::string(28, ' ') + "1" + std::string(37, ' ') +
+            "1\n -1         1    3    0    1\n -2         1         2         3         4\n -3\n 9999\n";
+    writeBytes(folder / "m.frd", text);
+  };
+  const std::vector<double> values{-0.25,  -1.25e-2, 3e-100, 12.5,   -2.5e-3, 0,
+                                   1e-300, 7.5e10,   -4e-11, -1e-12, -0.001,  -1.5e100};
+  for (const int digits : {2, 3}) {
+    for (const bool letter : {true, false}) {
+      std::vector<std::string> numbers;
+      for (const double value : values) numbers.push_back(frdNumber(value, digits, letter || std::abs(value) > 1e-99));
+      write(numbers);
+      const Mesh mesh = readMesh(folder / "m.frd");
+      for (Eigen::Index i = 0; i < 12; ++i)
+        EXPECT_DOUBLE_EQ(mesh.X.data()[i], values[static_cast<std::size_t>(i)]) << digits << " digits, number " << i;
+    }
+  }
+  std::vector<std::string> numbers;
+  for (const double value : values) numbers.push_back(frdNumber(value, 2));
+  // Overflow of a Fortran field; another program's numbers without blanks; a number cut short; one too many.
+  for (const char* bad : {"************", "12.5E+0013.5E+00", " 1.00000E+0", " 1.00000E+00 1.00000E+00"}) {
+    std::vector<std::string> with = numbers;
+    with[4] = bad;
+    write(with);
+    EXPECT_NE(errorOf([&] { readMesh(folder / "m.frd"); }).find("m.frd:4: "), std::string::npos) << bad;
+  }
+}
+
+/// Wedges on both halves of a unit cube, in the order of vtkWedge, whose first triangle faces outward, or of gmsh.
+std::string vtkWedges(bool first, bool second) {
+  return std::string(
+             "# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 8 float\n"
+             "0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\nCELLS 2 14\n") +
+         (first ? "6 0 2 1 4 6 5\n" : "6 0 1 2 4 5 6\n") + (second ? "6 0 3 2 4 7 6\n" : "6 0 2 3 4 6 7\n") +
+         "CELL_TYPES 2\n13\n13\n";
+}
+
+TEST(MeshIo, WedgesInVtksOrderNeedNoNoteAndThoseInGmshsAreTurnedRound) {
+  const TemporaryFolder folder;
+  for (const bool first : {true, false})
+    for (const bool second : {true, false}) {
+      writeBytes(folder / "m.vtk", vtkWedges(first, second));
+      std::vector<std::string> notes, checked;
+      EXPECT_DOUBLE_EQ(meshVolume(loadMesh(folder / "m.vtk", &notes)), 1.0);
+      EXPECT_EQ(notes.size(), first && second ? 0u : 1u);
+      EXPECT_TRUE(checkMeshFile(folder / "m.vtk", &checked).empty());
+      EXPECT_EQ(checked, notes);
+    }
+}
+
+TEST(MeshIo, CollapsedHexahedraAreReadAsWhatIsLeft) {
+  const TemporaryFolder folder;
+  const ElementInfo& hex = *findElementByName("hex8");
+  const auto read = [&](std::vector<int> nodes, std::vector<std::string>& notes) {
+    std::string text =
+        "*NODE\n1,0,0,0\n2,1,0,0\n3,1,1,0\n4,0,1,0\n5,0,0,1\n6,1,0,1\n7,1,1,1\n8,0,1,1\n*ELEMENT, TYPE=C3D8, "
+        "ELSET=all\n7";
+    for (const int node : nodes) text += ", " + std::to_string(node + 1);
+    writeBytes(folder / "m.inp", text + "\n");
+    return loadMesh(folder / "m.inp", &notes);
+  };
+  const auto expect = [&](const std::vector<int>& nodes, const char* element, double volume) {
+    std::vector<std::string> notes;
+    const Mesh mesh = read(nodes, notes);
+    ASSERT_EQ(mesh.blocks.size(), 1u);
+    EXPECT_EQ(elementInfo(mesh.blocks[0].type).name, element);
+    EXPECT_NEAR(meshVolume(mesh), volume, 1e-15);
+    EXPECT_EQ(mesh.blocks[0].ids, std::vector<std::int64_t>{7});
+    EXPECT_EQ(mesh.elementSets.at("all").size(), 1u);
+    std::string all;
+    for (const std::string& note : notes) all += note + "\n";
+    EXPECT_NE(all.find(std::string("1 hex8 that hold a node several times are read as the ") + element),
+              std::string::npos)
+        << all;
+    EXPECT_EQ(all.find("turned round"), std::string::npos) << all;
+  };
+  for (const auto& face : hex.faces) {
+    for (int way = 0; way < 2; ++way) {  // two opposite edges of a face shrink to nodes
+      std::vector<int> nodes{0, 1, 2, 3, 4, 5, 6, 7};
+      nodes[face[1 + way]] = face[way];
+      nodes[face[(2 + way) % 4]] = face[(3 + way) % 4];
+      expect(nodes, "wedge6", 0.5);
+    }
+    std::vector<int> nodes{0, 1, 2, 3, 4, 5, 6, 7};
+    for (const int corner : face) nodes[corner] = face[0];
+    expect(nodes, "pyramid5", 1.0 / 3);
+    for (std::size_t k = 0; k < 8; ++k) {  // and an edge of the opposite face that the node is not above
+      std::vector<int> tet = nodes;
+      for (const auto& edge : hex.edges)
+        if (edge[0] == static_cast<int>(k) && nodes[edge[0]] == edge[0] && nodes[edge[1]] == edge[1] &&
+            edge[0] != face[0] && edge[1] != face[0]) {
+          tet[edge[1]] = edge[0];
+          expect(tet, "tet4", 1.0 / 6);
+          break;
+        }
+    }
+  }
+  expect({0, 1, 2, 4, 4, 4, 4, 4}, "tet4", 1.0 / 6);  // as LS-DYNA has a tetrahedron
+  std::vector<std::string> notes;
+  EXPECT_NE(errorOf([&] { read({0, 1, 2, 3, 0, 1, 2, 3}, notes); }).find("more than once"), std::string::npos);
+  EXPECT_NE(errorOf([&] { read({0, 1, 2, 3, 4, 5, 6, 4}, notes); }).find("more than once"), std::string::npos);
+}
+
+TEST(MeshIo, VoxelsAreHexahedra) {
+  const TemporaryFolder folder;
+  writeBytes(
+      folder / "m.vtk",
+      "# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 8 float\n0 0 0\n2 0 0\n0 3 0\n2 3 "
+      "0\n0 0 4\n2 0 4\n0 3 4\n2 3 4\nCELLS 1 9\n8 0 1 2 3 4 5 6 7\nCELL_TYPES 1\n11\n");
+  std::vector<std::string> notes;
+  EXPECT_DOUBLE_EQ(meshVolume(loadMesh(folder / "m.vtk", &notes)), 24.0);
+  EXPECT_TRUE(notes.empty());
+}
+
+TEST(MeshIo, SectionsThatGmshWritesWithItsOptionsAreRead) {
+  const TemporaryFolder folder;
+  const std::string elements = "$Elements\n1\n9 4 2 1 1 1 2 3 4\n$EndElements\n";
+  // Mesh.SaveParametric; a comment first.
+  writeBytes(folder / "p.msh",
+             "$Comments\nby hand\n$EndComments\n$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$ParametricNodes\n4\n1 0 0 0 0 "
+             "1\n2 1 0 0 1 1 0.5\n3 0 1 0 2 1 0.25 0.75\n4 0 0 1 3 1\n$EndParametricNodes\n" +
+                 elements);
+  EXPECT_NEAR(meshVolume(loadMesh(folder / "p.msh")), 1.0 / 6, 1e-15);
+  // An element of two physical groups stands twice in version 2.
+  writeBytes(
+      folder / "g.msh",
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n2\n3 1 \"a\"\n3 2 \"b\"\n$EndPhysicalNames\n$Nodes\n5\n1 "
+      "0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n5 1 1 1\n$EndNodes\n$Elements\n3\n1 4 2 1 1 1 2 3 4\n2 4 2 2 1 1 2 3 "
+      "4\n3 4 2 2 1 2 3 4 5\n$EndElements\n");
+  std::vector<std::string> notes;
+  const Mesh both = loadMesh(folder / "g.msh", &notes);
+  EXPECT_EQ(both.blocks[0].ids, (std::vector<std::int64_t>{1, 3}));
+  EXPECT_EQ(both.elementSets.at("a"), (std::vector<ElementRef>{{0, 0}}));
+  EXPECT_EQ(both.elementSets.at("b"), (std::vector<ElementRef>{{0, 0}, {0, 1}}));
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_NE(notes[0].find("1 elements that stand once more for another group"), std::string::npos);
+  // Parts of a partitioned volume have the groups; several numbers of nodes stand in a line.
+  writeBytes(
+      folder / "q.msh",
+      "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n3 1 \"body\"\n$EndPhysicalNames\n$Entities\n0 0 0 "
+      "1\n1 0 0 0 1 1 1 1 1 0\n$EndEntities\n$PartitionedEntities\n2\n1\n9 1\n0 0 0 1\n2 3 1 2 1 2 0 0 0 1 1 1 1 1 "
+      "0\n$EndPartitionedEntities\n$Nodes\n1 4 1 4\n3 2 0 4\n1 2\n3 4\n0 0 0\n1 0 0\n0 1 0\n0 0 "
+      "1\n$EndNodes\n$Elements\n1 1 1 1\n3 2 4 1\n1 1 2 3 4\n$EndElements\n");
+  EXPECT_EQ(loadMesh(folder / "q.msh").elementSets.at("body").size(), 1u);
+}
+
+TEST(MeshIo, FormatsThatAreNotReadAreNamed) {
+  const TemporaryFolder folder;
+  const std::pair<const char*, const char*> files[] = {
+      {"*KEYWORD\n*NODE\n1,0,0,0\n*END\n", "an LS-DYNA deck"},
+      {"(0 \"a mesh\")\n(2 3)\n", "a Fluent mesh"},
+      {"MESH dimension 3 ElemType Tetrahedra Nnode 4\n", "a GiD mesh"},
+      {"<?xml version=\"1.0\"?>\n<!DOCTYPE Xdmf SYSTEM \"Xdmf.dtd\" []>\n<Xdmf/>\n", "an XDMF file"},
+      {"MeshVersionFormatted 2\n", "a Medit mesh"},
+      {"    -1\n  2411\n", "a universal file (UNV)"},
+      {"BEGIN BULK\nGRID,1,,0.,0.,0.\n", "a Nastran deck"},
+      {"\x89HDF\r\n\x1a\n", "an HDF5 file"},
+      {"version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 1\n", "a pointer of Git LFS"},
+      {"PK\x03\x04", "a packed file"},
+  };
+  for (const auto& [text, name] : files)
+    for (const char* file : {"m.msh", "m.vtu", "m.inp", "m.vtk", "m.frd", "m.k"}) {
+      writeBytes(folder / file, text);
+      const std::string refused = errorOf([&] { readMesh(folder / file); });
+      EXPECT_NE(refused.find(std::string("this is ") + name), std::string::npos) << refused;
+    }
+  writeBytes(folder / "flat.vtk",
+             "# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 3 float\n0 0 0\n1 0 0\n0 1 "
+             "0\nCELLS 1 4\n3 0 1 2\nCELL_TYPES 1\n5\n");
+  EXPECT_NE(errorOf([&] { readMesh(folder / "flat.vtk"); }).find("only 1 of surfaces, lines or points"),
+            std::string::npos);
 }
 
 TEST(MeshIo, LegacyVtkText) {
