@@ -175,13 +175,16 @@ void bindMesh(py::module_& module) {
       "Points and elements, which never change: Mesh(points, {\"tet4\": cells}).\n\n"
       "points: (N, 3) float64 in C order, m. cells: by element name, ringwatch's or meshio's, (n, nodes of the "
       "element)\n"
-      "of whole numbers in VTK's node order, of a wedge in gmsh's; or a list of (name, cells). node_sets: node numbers\n"
+      "of whole numbers in VTK's node order, of a wedge in gmsh's; or a list of (name, cells). node_sets: node "
+      "numbers\n"
       "by name. node_ids, cell_ids: the numbers of another program, for messages: (N,), and a list of an array for "
       "each\n"
       "block. cell_sets: lists of the same form by name, with elements counted in their blocks. All of them are "
       "copied.\n"
-      "Raises InputError for arrays of another shape or type, and for a mesh that is not sound: inverted or degenerate\n"
-      "elements, nodes that do not exist. Elements of the other handedness are turned round, and nodes that no element\n"
+      "Raises InputError for arrays of another shape or type, and for a mesh that is not sound: inverted or "
+      "degenerate\n"
+      "elements, nodes that do not exist. Elements of the other handedness are turned round, and nodes that no "
+      "element\n"
       "uses are dropped: `notes` says so.",
       "", py::arg("points"), py::arg("cells"), py::kw_only(), py::arg("node_sets") = py::dict(),
       py::arg("node_ids") = py::none(), py::arg("cell_ids") = py::none(), py::arg("cell_sets") = py::dict());
