@@ -38,7 +38,7 @@ struct PenaltyContact {
   std::vector<double> penalty;  ///< k of each node, N/m
   std::vector<double> damping;  ///< c of each node, N s/m
   double friction = 0;          ///< μ
-  SlipSpeed slip;               ///< below it the surfaces stick
+  SlipSpeed slip = {};          ///< below it the surfaces stick
 };
 
 /// Forces at nodes that are of no solid element: springs, dashpots and penalty contact, with rigid obstacles and of

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <numeric>
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include <ringwatch/app/command/integrator_catalog.h>

@@ -7,6 +7,7 @@
 #include <string>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/meshes/formats/mesh_readers.h>
 #include <ringwatch/meshes/mesh_io.h>
 #include <ringwatch/meshes/quality.h>
 
