@@ -530,21 +530,21 @@ class RankRun {
                    {"output", output_->save()},
                    {"moved", std::move(moved)},
                    {"checkpoints_due", checkpoints_},
-                   {"last_verdict", static_cast<int>(lastVerdict_)}};
+                   {"last_verdict", std::string(verdictName(lastVerdict_))}};
     saved.memory = eventsBefore_;
     ringwatch::writeCheckpoint(request_.folder, saved);
     return totals;
   }
 
   void resume(const Checkpoint& saved) {
-    resumeResult(saved.parts.at("result"), result_);
+    resumeResult(saved.parts.at("result"), scene_, static_cast<std::size_t>(saved.state.x.cols()), result_);
     resumedAt_ = result_.steps;
     before_ = energiesOfJson(saved.parts.at("before"));
     runaway_->resume(saved.parts.at("runaway"));
     steps_->resume(saved.parts.at("steps"));
     freshReports_ = saved.parts.at("fresh_reports").get<std::int64_t>();
     checkpoints_ = saved.parts.at("checkpoints_due").get<std::int64_t>();
-    lastVerdict_ = static_cast<Verdict>(saved.parts.at("last_verdict").get<int>());
+    lastVerdict_ = savedVerdict(saved.parts.at("last_verdict"));
     resumeEvents(saved.memory);
     together(ranks_, [&] { output_->resume(saved.parts.at("output"), result_.steps); });
     outputIsOpen_ = true;

@@ -88,7 +88,7 @@ Checkpoint RunCheckpoints::saved() {
   saved.parts = {{"result", savedResult(run_.result)}, {"energies", run_.energies.save()},
                  {"steps", run_.steps.save()},         {"watch", run_.watch.save()},
                  {"output", run_.output->save()},      {"moved", prescribedVelocities(run_.body.constraints())},
-                 {"checkpoints_due", count_},          {"last_verdict", static_cast<int>(run_.lastVerdict)}};
+                 {"checkpoints_due", count_},          {"last_verdict", std::string(verdictName(run_.lastVerdict))}};
   return saved;
 }
 
@@ -101,29 +101,36 @@ void RunCheckpoints::resume(const Checkpoint& saved) {
   run_.state.x = saved.state.x;
   run_.state.v = saved.state.v;
   run_.watch.end();
-  resumeResult(saved.parts.at("result"), run_.result);
+  const auto damaged = [&](const char* how) {
+    return InputError(fmt::format("{}: does not fit this scene: {}; begin the run again",
+                                  (run_.options.folder / checkpointFile).string(), how));
+  };
+  try {
+    resumeParts(saved);
+  } catch (const InputError& fault) {
+    throw damaged(fault.what());
+  } catch (const nlohmann::json::exception& fault) {
+    throw damaged(fault.what());
+  }
+  run_.output->resume(saved.parts.at("output"), run_.result.steps);
+  if (saved.memory.empty()) goOn();
+}
+
+void RunCheckpoints::resumeParts(const Checkpoint& saved) {
+  resumeResult(saved.parts.at("result"), run_.scene, static_cast<std::size_t>(saved.state.x.cols()), run_.result);
   run_.energies.resume(saved.parts.at("energies"));
   run_.steps.resume(saved.parts.at("steps"));
   run_.watch.resume(saved.parts.at("watch"));
   count_ = saved.parts.at("checkpoints_due").get<std::int64_t>();
-  run_.lastVerdict = static_cast<Verdict>(saved.parts.at("last_verdict").get<int>());
+  run_.lastVerdict = savedVerdict(saved.parts.at("last_verdict"));
   resumeMotion(run_.body.constraints(), saved.parts.at("moved").get<std::vector<double>>());
   run_.beginWatch();
   run_.loads.begin(run_.state.x);
   run_.loads.setForces(run_.state.time, run_.state.x);
-  const bool asItWas = !saved.memory.empty();
-  if (asItWas) {
-    try {
-      LoadingArchive archive(saved.memory);
-      archiveRun(archive);
-      archive.end();
-    } catch (const InputError&) {
-      throw InputError(fmt::format("{}: does not fit this mesh; begin the run again",
-                                   (run_.options.folder / checkpointFile).string()));
-    }
-  }
-  run_.output->resume(saved.parts.at("output"), run_.result.steps);
-  if (!asItWas) goOn();
+  if (saved.memory.empty()) return;
+  LoadingArchive archive(saved.memory);
+  archiveRun(archive);
+  archive.end();
 }
 
 /// What is done alike behind a checkpoint, by a run that goes on and by one that is resumed.

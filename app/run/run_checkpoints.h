@@ -24,7 +24,8 @@ class RunCheckpoints {
   /// What came of the last writeAsItIs(), in one line, and whether there is a checkpoint of it.
   const std::string& whatCame() const { return told_; }
   bool isOfNow() const { return asItIs_; }
-  /// Begins the run, whose output is there, at a checkpoint. Throws InputError where the mesh is another one.
+  /// Begins the run, whose output is there, at a checkpoint. Throws InputError where the mesh is another one, or where
+  /// what the checkpoint holds is not of this scene.
   void resume(const Checkpoint& saved);
   /// How an interrupted run can go on.
   std::string howToGoOn() const;
@@ -37,6 +38,7 @@ class RunCheckpoints {
   /// What the parts know beyond that.
   template <class Archive>
   void archiveRun(Archive& a);
+  void resumeParts(const Checkpoint& saved);
   void goOn();
 
   Simulation& run_;

@@ -1,7 +1,13 @@
 #include <ringwatch/app/run/saved_result.h>
 
+#include <algorithm>
+
+#include <fmt/format.h>
+
 #include <ringwatch/app/run/checkpoint.h>
 #include <ringwatch/base/archive.h>
+#include <ringwatch/base/error.h>
+#include <ringwatch/body/discrete_forces.h>
 
 namespace ringwatch {
 namespace {
@@ -62,6 +68,14 @@ RunEvent eventOf(const Json& json) {
   return told;
 }
 
+/// Numbers that others are found by: of a file that was changed they could point anywhere.
+std::int64_t below(std::size_t count, const Json& json, std::int64_t least = 0) {
+  const auto number = json.get<std::int64_t>();
+  if (number < least || number >= static_cast<std::int64_t>(count))
+    throw InputError(fmt::format("{} where {} to {} can be meant", number, least, static_cast<std::int64_t>(count) - 1));
+  return number;
+}
+
 Json momentJson(const std::optional<RunResult::Moment>& moment) {
   return moment ? Json{moment->step, moment->time} : Json(nullptr);
 }
@@ -77,7 +91,7 @@ Json discreteJson(const std::optional<RunResult::Discrete>& discrete) {
           {"deepest_obstacle", discrete->deepestObstacle}};
 }
 
-std::optional<RunResult::Discrete> discreteOf(const Json& json) {
+std::optional<RunResult::Discrete> discreteOf(const Json& json, const Scene& scene, std::size_t nodes) {
   if (json.is_null()) return std::nullopt;
   RunResult::Discrete discrete;
   discrete.governed = json.at("governed").get<std::int64_t>();
@@ -85,8 +99,11 @@ std::optional<RunResult::Discrete> discreteOf(const Json& json) {
   discrete.mostTouching = json.at("most_touching").get<std::int64_t>();
   discrete.deepest = json.at("deepest").get<double>();
   discrete.deepestTime = json.at("deepest_time").get<double>();
-  discrete.deepestNode = json.at("deepest_node").get<std::int32_t>();
-  discrete.deepestObstacle = json.at("deepest_obstacle").get<std::size_t>();
+  discrete.deepestNode = static_cast<std::int32_t>(below(nodes, json.at("deepest_node"), -1));
+  const Json& obstacle = json.at("deepest_obstacle");
+  discrete.deepestObstacle = obstacle == DiscreteForces::ofSurface
+                                 ? DiscreteForces::ofSurface
+                                 : static_cast<std::size_t>(below(std::max<std::size_t>(scene.obstacles.size(), 1), obstacle));
   return discrete;
 }
 
@@ -103,7 +120,7 @@ Json savedResult(const RunResult& result) {
   return {{"steps", result.steps},
           {"smallest_step", result.smallestStep},
           {"largest_step", result.largestStep},
-          {"worst", result.worst ? Json(static_cast<int>(*result.worst)) : Json(nullptr)},
+          {"worst", result.worst ? Json(std::string(verdictName(*result.worst))) : Json(nullptr)},
           {"violated_step_taken", result.violatedStepTaken},
           {"watched_steps", result.watchedSteps},
           {"certified_steps", result.certifiedSteps},
@@ -117,12 +134,14 @@ Json savedResult(const RunResult& result) {
           {"notes", result.notes}};
 }
 
-void resumeResult(const Json& saved, RunResult& result) {
+Verdict savedVerdict(const Json& json) { return verdictNames.valueOf("checkpoint", json.get<std::string>()); }
+
+void resumeResult(const Json& saved, const Scene& scene, std::size_t nodes, RunResult& result) {
   const auto count = [&](const char* key) { return saved.at(key).get<std::int64_t>(); };
   result.steps = count("steps");
   result.smallestStep = saved.at("smallest_step").get<double>();
   result.largestStep = saved.at("largest_step").get<double>();
-  if (const auto worst = optionalOf<int>(saved.at("worst"))) result.worst = static_cast<Verdict>(*worst);
+  if (const Json& worst = saved.at("worst"); !worst.is_null()) result.worst = savedVerdict(worst);
   result.violatedStepTaken = saved.at("violated_step_taken").get<bool>();
   result.watchedSteps = count("watched_steps");
   result.certifiedSteps = count("certified_steps");
@@ -133,10 +152,13 @@ void resumeResult(const Json& saved, RunResult& result) {
     result.firstViolated = {moment.at(0).get<std::int64_t>(), moment.at(1).get<double>()};
   result.events.clear();
   for (const Json& event : saved.at("events")) result.events.push_back(eventOf(event));
-  if (const Json& governing = saved.at("governing"); !governing.is_null())
+  if (const Json& governing = saved.at("governing"); !governing.is_null()) {
     result.governing = {governing.at("observations").get<std::vector<std::int64_t>>(),
-                        optionalOf<double>(governing.at("least_safe")), governing.at("at_least_safe").get<int>()};
-  result.discrete = discreteOf(saved.at("discrete"));
+                        optionalOf<double>(governing.at("least_safe")),
+                        static_cast<int>(below(scene.materials.size(), governing.at("at_least_safe")))};
+    result.governing->observations.resize(scene.materials.size());
+  }
+  result.discrete = discreteOf(saved.at("discrete"), scene, nodes);
   const Json& times = saved.at("times");
   result.forceTime += times.at(0).get<double>();
   result.monitorTime += times.at(1).get<double>();

@@ -333,7 +333,20 @@ TEST_F(Checkpoints, OfSignalsHoldTheStepAtWhichTheyCame) {
   Checkpoint other = stopped;
   other.memory.resize(other.memory.size() - 8);
   writeCheckpoint(folder_.path() / "part", other);
-  refuse("part/checkpoint.bin: does not fit this mesh");
+  refuse("part/checkpoint.bin: does not fit this scene");
+  // Numbers of nodes, materials and verdicts that are not there.
+  const Json discrete{{"governed", 0},     {"least_safe", nullptr}, {"most_touching", 1},  {"deepest", 0.1},
+                      {"deepest_time", 0}, {"deepest_node", 1 << 30}, {"deepest_obstacle", 0}};
+  const Json governing{{"observations", {1}}, {"least_safe", 1e-3}, {"at_least_safe", 7}};
+  for (const auto& [key, value] : {std::pair<std::string, Json>("discrete", discrete),
+                                   {"governing", governing},
+                                   {"worst", "best"},
+                                   {"steps", "many"}}) {
+    other = stopped;
+    other.parts["result"][key] = value;
+    writeCheckpoint(folder_.path() / "part", other);
+    refuse("part/checkpoint.bin: does not fit this scene");
+  }
   folder_.write("part/checkpoint.bin", bytes);
   EXPECT_EQ(shell(patient + "'" + executable() + "' run --resume part --quiet & p=$!; sleep 0.5; kill -HUP $p; wait $p")
                 .status,
