@@ -433,7 +433,7 @@ bool RunBracket::decomposeRing(NodeVectorsView x, ElementRef e, WorkOn what) {
   charge(what, WorkAccount::ofRing(*body_.blocks()[e.block]));
   const auto nodes = body_.blocks()[e.block]->nodesOf(e.element);
   ringNodes_.choose({nodes.begin(), nodes.end()});
-  solver_.compute(ringNodes_.evaluate(x));
+  solver_ = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(ringNodes_.evaluate(x));  // see LowestModeSearch::find
   return solver_.info() == Eigen::Success;
 }
 
