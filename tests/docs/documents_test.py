@@ -54,9 +54,8 @@ STUDY_TESTS = {
 # Commands that are not run, by their first word: why not. A script must pass `bash -n` or compile; a benchmark program
 # must be a target of bench/.
 NOT_RUN = {
-    "scripts/demo": "installs packages and builds; its run is the README's second command",
+    "scripts/demo": "installs packages and builds; its run is the README's next command",
     "scripts/test": "builds, and runs this test among all others",
-    "scripts/setup": "installs packages",
     "scripts/gpu": "needs a GPU machine",
     "compute-sanitizer": "needs a GPU machine",
     "RINGWATCH_ROUNDING_TRIALS=200": "measures for minutes",
@@ -276,7 +275,7 @@ class Documents:
     def scene_keys(self):
         """section -> key -> what it may be, from the topic."""
         keys, section, key = {}, None, None
-        for line in self.help("scene").split("\n"):
+        for line in self.ringwatch("run", "--help-scene").stdout.split("\n"):
             if match := re.match(r"\[+(\w+)\]+ ", line):
                 section = keys.setdefault(match[1], {})
             elif line.startswith("Mesh generators"):
