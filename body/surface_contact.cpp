@@ -26,9 +26,10 @@ constexpr double sameDistance = 1e-12;
 /// Cosine by which normals are against one another, at least, for one face to see another: rims that are flush do not,
 /// bent by up to 17 degrees.
 constexpr double against = 0.3;
-/// Of a node beside a rim that is flush with its own: how far it may be outside over how far it is below, to be held
-/// still.
-constexpr double beside = 0.1;
+/// Cosine of these 17 degrees, √(1 - against²).
+constexpr double flush = 0.953939;
+/// Of a node at such a rim: how far it may be outside over how far it is below, the tangent of these 17 degrees.
+constexpr double beside = 0.314485;
 /// Cosine of the angle by which the surface turns at an edge up to which both sides of it are one face.
 constexpr double oneFace = 0.5;
 /// Of the mean edge: what nodes may move against one another until the lists are made again.
@@ -422,14 +423,11 @@ void SurfaceSearch::look(NodeVectorsView x, std::size_t row, double reach, Found
     ++result.pairs;
     return closest;
   };
-  const auto sees = [&](const Vector3d& direction, double cosine) {
-    const double most = -cosine * direction.norm();
-    return std::ranges::any_of(own, [&](const Vector3d& normal) { return normal.dot(direction) < most; });
-  };
   const auto counts = [&](const Closest& closest) {
     if (!(closest.distance2 <= cutoff * cutoff)) return false;
     if (own.empty()) normalsAt(x, entry, own);
-    return sees(closest.normal, against);
+    const double most = -against * closest.normal.norm();
+    return std::ranges::any_of(own, [&](const Vector3d& normal) { return normal.dot(closest.normal) < most; });
   };
   // The one that was nearest last tells which of the others can be nearest, or as near to within twice the reach.
   double limit = cutoff;
@@ -480,9 +478,11 @@ void SurfaceSearch::look(NodeVectorsView x, std::size_t row, double reach, Found
   const std::int32_t nearest = candidates[found[best].i];
   const auto touched = static_cast<std::int32_t>(contact_.triangles.size());
   const auto depthOf = [&](std::int32_t t) { return std::min(contact_.depth[t], contact_.nodeDepth[entry]); };
-  // In front of a face that it does not see it is outside, or beside a rim, with its own solid between.
+  // In front of a face that it does not see it is outside, or at a rim that is flush with that face.
   const auto isBeside = [&] {
-    return seen.free < 2 && inFront.distance2 < beside * beside * seen.distance2 && !sees(inFront.r, 0.5 * against);
+    const double cosine = flush * inFront.normal.norm();
+    return inFront.distance2 < beside * beside * seen.distance2 &&
+           std::ranges::any_of(own, [&](const Vector3d& normal) { return normal.dot(inFront.normal) > cosine; });
   };
   const bool touches = nearest < touched && least > 0 && least <= depthOf(nearest) && behind(x, s, nearest, seen) &&
                        (!(inFront.distance2 < (1 - sameDistance) * seen.distance2) || isBeside() ||

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <numeric>
 
-#include <Eigen/Geometry>
 #include <fmt/format.h>
+#include <Eigen/Geometry>
 
 #include <ringwatch/app/command/integrator_catalog.h>
 #include <ringwatch/app/scene/scene_sections.h>
@@ -18,6 +18,7 @@
 #include <ringwatch/base/sort_unique.h>
 #include <ringwatch/base/user_text.h>
 #include <ringwatch/body/discrete_forces.h>
+#include <ringwatch/meshes/adjacency.h>
 #include <ringwatch/meshes/surface.h>
 #include <ringwatch/monitor/bounds/nodal_bound.h>
 #include <ringwatch/monitor/critical_step.h>
@@ -306,6 +307,7 @@ AtRest atRest(const Scene& scene, Body& body, std::optional<double> wanted) {
 void requireApart(const Scene::Contact& contact, SurfaceContact surface, const Mesh& mesh) {
   surface.penalty.assign(surface.nodes.size(), 0);
   surface.damping.assign(surface.nodes.size(), 0);
+  surface.friction = 0;
   SurfaceSearch search(std::move(surface), static_cast<std::int32_t>(mesh.nodeCount()));
   search.locate(mesh.X, 0, 1);
   const double size = (mesh.X.rowwise().maxCoeff() - mesh.X.rowwise().minCoeff()).maxCoeff();
@@ -399,17 +401,18 @@ double dampingOf(const Contact& contact, std::size_t k) {
   return contact.damping[k] + (sticks ? contact.friction * contact.slip.dashpot(contact.penalty[k], 0) : 0);
 }
 
-/// Areas, masses and rooms of the nodes of a surface, by node.
+/// Areas and masses of the nodes of a surface, by node.
 struct SurfaceShares {
-  std::vector<double> area;       // m², a third of each triangle at a node
-  std::vector<bool> held;         // in all directions: as if its mass were infinite
-  double massPerArea = infinity;  // kg/m², the median of the touched surface's nodes
-  double meanArea = 0;            // m², of the nodes that touch it
+  std::vector<double> area;      // m², a third of each triangle at a node
+  std::vector<bool> held;        // in all directions: as if its mass were infinite
+  std::vector<double> reacting;  // kg: the least that a node meets of the touched surface, by medians of its parts
+  double meanArea = 0;           // m², of the nodes that touch it
 };
 SurfaceShares sharesOf(const SurfaceContact& contact, const Body& body) {
   SurfaceShares shares;
   shares.area.assign(body.nodeCount(), 0);
   shares.held.assign(body.nodeCount(), false);
+  shares.reacting.assign(body.nodeCount(), infinity);
   const Mesh& mesh = body.mesh();
   for (const SurfaceTriangle& t : surfaceTriangles(mesh)) {
     const Eigen::Vector3d a = mesh.X.col(t.nodes[0]), b = mesh.X.col(t.nodes[1]), c = mesh.X.col(t.nodes[2]);
@@ -418,15 +421,31 @@ SurfaceShares sharesOf(const SurfaceContact& contact, const Body& body) {
   std::vector<std::int32_t> corners;
   for (const auto& triangle : contact.triangles) corners.insert(corners.end(), triangle.begin(), triangle.end());
   sortUnique(corners);
-  std::vector<double> ratios;
+  struct Part {
+    std::vector<double> massPerArea, areas;  // kg/m², m²
+  };
+  std::map<std::int32_t, Part> touched;
+  const MeshParts parts = connectedParts(mesh);
   for (const std::int32_t node : corners) {
     shares.held[node] = body.constraints().freeComponents(node) == 0;
-    ratios.push_back(shares.held[node] ? infinity : body.lumpedMass()[node] / shares.area[node]);
+    Part& part = touched[parts.partOfNode[node]];
+    part.massPerArea.push_back(shares.held[node] ? infinity : body.lumpedMass()[node] / shares.area[node]);
+    part.areas.push_back(shares.area[node]);
   }
-  std::nth_element(ratios.begin(), ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2), ratios.end());
-  shares.massPerArea = ratios[ratios.size() / 2];
-  for (const std::int32_t node : contact.nodes)
+  const auto median = [](std::vector<double>& values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+  };
+  std::map<std::int32_t, std::array<double, 2>> typical;
+  for (auto& [number, part] : touched) typical[number] = {median(part.massPerArea), median(part.areas)};
+  for (const std::int32_t node : contact.nodes) {
     shares.meanArea += shares.area[node] / static_cast<double>(contact.nodes.size());
+    // A coarse node may stand on one corner of a fine part.
+    for (const auto& [number, of] : typical)
+      if (number != parts.partOfNode[node] || typical.size() == 1)
+        shares.reacting[node] = std::min(shares.reacting[node], of[0] * std::min(shares.area[node], of[1]));
+  }
   return shares;
 }
 
@@ -535,8 +554,8 @@ SurfaceSides sidesOf(const Scene::Contact& contact, const Body& body) {
   sides.shares = sharesOf(own, body);
   const SurfaceShares& shares = sides.shares;
   for (std::size_t k = 0; k < nodes.size(); ++k)
-    own.split[k] = std::clamp(body.lumpedMass()[nodes[k]] / (shares.massPerArea * shares.area[nodes[k]]),
-                              SurfaceContact::leastSplit, SurfaceContact::largestSplit);
+    own.split[k] = std::clamp(body.lumpedMass()[nodes[k]] / shares.reacting[nodes[k]], SurfaceContact::leastSplit,
+                              SurfaceContact::largestSplit);
   for (SurfaceContact::Edge& edge : own.edges)
     edge.mass = std::min(body.lumpedMass()[edge.nodes[0]], body.lumpedMass()[edge.nodes[1]]);
   return sides;
@@ -582,7 +601,7 @@ SurfaceContact surfaceContactOf(const Scene& scene, const Scene::Contact& contac
     const double slow = std::numbers::pi / (contactSteps * rest.step), factor = dampingFactor(scene.damping, rest.step),
                  damping = dampingShare(contact);
     for (const std::int32_t node : nodes)
-      own.penalty.push_back(slow * slow * std::min(body.lumpedMass()[node], shares.massPerArea * shares.area[node]));
+      own.penalty.push_back(slow * slow * std::min(body.lumpedMass()[node], shares.reacting[node]));
     fitSurfacePenalties(own, shares, body, room, damping, factor);
     const std::vector<double> loads = edgeLoads(own, body.nodeCount());
     for (SurfaceContact::Edge& edge : own.edges) {
