@@ -41,6 +41,10 @@ class EnergyScale {
 /// Holds the energy balance of a run against what it is measured by.
 class EnergyCheck {
  public:
+  /// Steps before it is checked. Schemes whose velocities are half a step behind, symplectic Euler for one, are off by
+  /// 1/n of the energy at step n of a run that starts under load.
+  static constexpr int settling = 20;
+
   /// least: an energy, J, below which none is a measure.
   explicit EnergyCheck(double least) : scale_(least) {}
 
@@ -59,9 +63,6 @@ class EnergyCheck {
   }
 
  private:
-  // Steps before it is checked. Schemes whose velocities are half a step behind, symplectic Euler for one, are off by
-  // 1/n of the energy at step n of a run that starts under load.
-  static constexpr int settling = 20;
   EnergyScale scale_;
   std::optional<std::int64_t> first_;
 };

@@ -4,10 +4,10 @@ namespace ringwatch {
 
 void EnergyRunaway::check(const Energies& energies, std::int64_t step, double time) {
   const double measure = scale_.add(energies);
-  // Schemes whose velocities are half a step behind are off by 1/(n + 1) of the energy at step n of a run that starts
-  // under load.
-  const double share = std::max(runawayShare, 1.5 / static_cast<double>(step + 1));
-  const bool off = !(std::abs(energies.balanceError) <= share * measure);
+  // More than was there and was put in: what damping takes is no part of it, so that neither an error of that sum nor
+  // energy that is lost counts. Energies that are no numbers count at once.
+  const double gain = energies.balanceError - energies.dissipated;
+  const bool off = step < EnergyCheck::settling ? std::isnan(gain) : !(gain <= runawayShare * measure);
   if (!off)
     moment_.reset();
   else if (!moment_)

@@ -25,8 +25,8 @@ class EnergyRunaway {
     if (std::abs(energies.balanceError) <= tolerance * scale_.of(energies)) energies.balanceError = 0;
     return energies;
   }
-  /// Checks the energies before step number `step`. The energy ran away where the balance error passes its bound and
-  /// stays above it to the end of the run.
+  /// Checks the energies before step number `step`. The energy ran away where there is more than was put in, by a share
+  /// of the run's measure, and stays so to the end of the run.
   void check(const Energies& energies, std::int64_t step, double time);
   /// The moment, as far as is known; empty where it did not.
   const std::optional<RunResult::Moment>& moment() const { return moment_; }

@@ -120,7 +120,7 @@ struct RunResult {
   bool requireCertified = false;        // the scene's monitor.require_certified
   bool proving = true;                  // the scene's monitor is to prove steps
   std::optional<Moment> firstViolated;  // the monitor first said violated
-  std::optional<Moment> runaway;        // the energy balance went off by more than runawayShare for good
+  std::optional<Moment> runaway;        // energy became more than was put in, by more than runawayShare, for good
   std::vector<RunEvent> events;
   std::optional<Handling> handler;  // empty without one
   std::vector<CutRecord> cuts;
@@ -178,7 +178,7 @@ struct RunResult {
   std::string_view verdict() const;
 };
 
-/// Balance error over its measure (EnergyScale) that counts as a runaway.
+/// Energy beyond what was put in, over its measure (EnergyScale), that counts as a runaway.
 inline constexpr double runawayShare = 0.1;
 
 }  // namespace ringwatch
