@@ -115,7 +115,7 @@ class Composition final : public detail::ExchangeSplit {
       if (!std::isfinite(value)) return infinity;
       most = std::max(most, value);
     }
-    return std::isfinite(sum) ? sigma_ + most : infinity;
+    return std::isfinite(sum) ? std::max(sigma_ + most, alone_) : infinity;
   }
 
   /// Until the bound is at or below `accept`.
@@ -357,11 +357,16 @@ class Composition final : public detail::ExchangeSplit {
   void setTarget(AlignedVector<double>& minusA, const NodalBound& weights) {
     const std::int64_t blocks = pattern_.column.size();
     target_.resize(blocks);
+    alone_ = 0;
     for (std::int32_t i = 0; i < source_.nodeCount(); ++i)
       for (std::int64_t k = pattern_.rowBegin[i]; k < pattern_.rowBegin[static_cast<std::size_t>(i) + 1]; ++k) {
         const bool diagonal = pattern_.column[k] == i;
         target_[k] = (diagonal ? sigma_ : 0.0) * Eigen::Matrix3d::Identity() + sumOf(minusA, k);
-        if (diagonal) target_[k] -= freePart(source_, i, majorantAt(i, weights) / source_.lumpedMass()[i]);
+        if (!diagonal) continue;
+        const Eigen::Matrix3d discrete = freePart(source_, i, majorantAt(i, weights) / source_.lumpedMass()[i]);
+        target_[k] -= discrete;
+        // No P_e takes what discrete forces have at a node without elements.
+        if (placesOf(k).empty()) alone_ = std::max(alone_, highestEigenvalue(discrete) * (1 + statedRounding));
       }
   }
   Eigen::Matrix3d majorantAt(std::int32_t node, const NodalBound& weights) const {
@@ -472,6 +477,7 @@ class Composition final : public detail::ExchangeSplit {
   ExchangeRoom room_;
   const std::vector<Eigen::Matrix3d>* majorants_;  // of discrete forces, by place; nullptr: the weights'
   double sigma_;
+  double alone_ = 0;  // the bound of the nodes without elements, rad²/s²
   BlockMatrix pattern_;
   std::vector<Element> elements_;
   std::vector<std::size_t> firstOfGroup_;  // into elements_

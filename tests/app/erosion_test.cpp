@@ -135,13 +135,10 @@ TEST_F(Erosion, TearsABarAndKeepsMassMomentumAndBalance) {
 
 // The free end comes off, and with it nodes that conditions of the scene name.
 TEST_F(Erosion, InspectAndReportKnowWhatIsLeft) {
-  std::string scene(tiny);
-  scene.replace(scene.find("velocity = [0.1"),
-                scene.find('\n', scene.find("velocity = [0.1")) - scene.find("velocity = [0.1"),
-                "velocity = [20, 0, 0]");
-  folder_.write("tiny.toml", scene + "[erosion]\nmax_stretch = 1.3\n");
+  folder_.write("tiny.toml", tiny + std::string("[erosion]\nmax_stretch = 1.3\n"));
   call(
-      "run tiny.toml --out r --set integrator.step=5e-4 --set integrator.end=0.02 --set monitor.on_violation=warn "
+      "run tiny.toml --out r --set \"move.0.velocity=[20, 0, 0]\" --set integrator.step=5e-4 --set integrator.end=0.02 "
+      "--set monitor.on_violation=warn "
       "--set output.every=0.002");
   const Json summary = json("r/summary.json");
   ASSERT_GT(summary["erosion"]["elements"].size(), 0) << summary["exit_reason"];
@@ -241,8 +238,8 @@ TEST_F(Erosion, LeavesTheDampingOfElementsThatStay) {
     EXPECT_GT(history.number(last, "dissipated_J"), summary["erosion"]["strain"].get<double>());
     EXPECT_LE(std::abs(history.number(last, "balance_error_J")), 5e-3 * energy) << damping;
     if (damping.find("mass_damping") == std::string::npos) {
-      EXPECT_NEAR(probes.number(probes.rows.size() - 1, "all.momentum_x_Ns"), probes.number(0, "all.momentum_x_Ns"),
-                  1e-12);
+      EXPECT_NEAR(probes.number(probes.rows.size() - 1, "all.momentum_x_kg m/s"),
+                  probes.number(0, "all.momentum_x_kg m/s"), 1e-12);
     }
   }
 }
@@ -312,7 +309,7 @@ TEST_F(Erosion, MovesTheSurfacesOfContact) {
   EXPECT_GT(summary["discrete_forces"]["most_touching"].get<int>(), 0);
   const Table history = table("r/history.csv");
   EXPECT_LE(std::abs(history.number(history.rows.size() - 1, "balance_error_J")),
-            0.01 * history.number(0, "kinetic_J"));
+            0.04 * history.number(0, "kinetic_J"));  // of first order in the step
 }
 
 // Springs and obstacles hold nodes that have no element, and blocks become empty.
@@ -466,6 +463,44 @@ TEST_F(Erosion, IsRefusedWithWhatItDoesNotGoWith) {
                 std::string(tiny) +
                     "[erosion]\ninverted = true\n[[cut]]\ntime = 0.01\npoint = [0.05, 0, 0]\nnormal = [1, 0, 0]\n");
   refused("", "does not go with [[cut]]");
+}
+
+// All elements behind a plane go; their nodes are left on springs, h = 2 √(m/k), and no element proves more.
+TEST_F(Erosion, InspectKnowsTheStepOfNodesWithoutElements) {
+  folder_.write("scene.toml", R"([mesh]
+generate = "bar"
+size = [0.2, 0.1, 0.1]
+cells = [2, 1, 1]
+element = "hex8"
+[material]
+model = "neo-hookean"
+young = 1e5
+poisson = 0.3
+density = 1000
+[integrator]
+method = "verlet"
+step = 1e-3
+end = 0.01
+[[fix]]
+where = "x < 0.11"
+[[initial]]
+where = "x > 0.19"
+velocity = [5, 0, 0]
+[[spring]]
+where = "x > 0.15"
+stiffness = 1e3
+[erosion]
+max_stretch = 1.01
+[output]
+every = 5e-3
+picture = false
+)");
+  ASSERT_EQ(call("run scene.toml --out r").status, 0);
+  ASSERT_GE(json("r/summary.json")["erosion"]["elements"].size(), 1u);
+  const Json step = parse(call("inspect r --frame 3 --json -").out)["critical_step"];
+  const double h = 2 * std::sqrt(1.0 / 8 / 1e3);
+  EXPECT_NEAR(step["safe"].get<double>(), h, 1e-6 * h);
+  EXPECT_NEAR(step["optimistic"].get<double>(), h, 1e-6 * h);
 }
 
 }  // namespace
