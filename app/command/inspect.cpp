@@ -169,8 +169,6 @@ Subject subjectOfRun(const InspectOptions& options) {
     notes.push_back(findHandler(scene.handler)->addsMass
                         ? "the run scaled masses; this is the body without added mass"
                         : fmt::format("the run handled elements apart ({}); here all elements count", scene.handler));
-  if (scene.quadraticBulkViscosity > 0)
-    notes.emplace_back("quadratic bulk viscosity counts as of a body that does not move");
   return subjectIn(std::move(scene), std::move(state.body), std::move(state.x),
                    fmt::format("in frame {} of {}, t = {:.6g} s", *options.frame, frames.size(), frame.time),
                    Json{{"frame", *options.frame}, {"frames", frames.size()}, {"time", frame.time}}, std::move(notes));
@@ -196,7 +194,8 @@ Subject subjectOfDeck(const InspectOptions& options) {
 Scene sceneOfMeshFile(const InspectOptions& options) {
   Scene scene;
   const LawInfo& law = lawNamed(options.model.value_or(std::string(InspectOptions::usualModel)));
-  const auto required = [](std::string_view name) {
+  const auto required = [&](std::string_view name) {
+    loadMesh(options.mesh, nullptr);  // of a file that is no mesh, that is the fault
     return InputError(fmt::format("--{} is required with a mesh file; see ringwatch inspect --help", name));
   };
   for (const OptionInfo& parameter : law.parameters)
@@ -215,6 +214,11 @@ Scene sceneOfMeshFile(const InspectOptions& options) {
 
 Subject subjectOf(const InspectOptions& options) {
   std::error_code error;
+  if (options.mesh.extension() == ".toml")
+    throw InputError(
+        fmt::format("{}: is a scene; give its mesh, a deck, or with --frame n the folder of its run; ringwatch suggest "
+                    "{} --frame 1/60 and ringwatch run tell its steps",
+                    options.mesh.string(), options.mesh.string()));
   const bool folder = std::filesystem::is_directory(options.mesh, error);
   if (options.frame && options.displacement)
     throw InputError("--frame: goes with the folder of a run, --displacement with a .vtu file; give one of them");
@@ -467,7 +471,7 @@ void reportMetrics(const std::vector<MetricResult>& metrics, const StepRule& rul
     json["controlling"][name] = Json{{"block", m.controlling.block}, {"index", m.controlling.element}};
     text += fmt::format("  {:<32} {:<10} {:>16.10g}  ", name, stepSide(m.direction), h);
     if (globalStep) {
-      const double difference = 100 * (h / *globalStep - 1);
+      const double difference = h == *globalStep ? 0 : 100 * (h / *globalStep - 1);  // both may be infinite
       json["differences_percent"][name] = difference;
       text += fmt::format("{:>14.3f}  ", difference);
     }

@@ -138,6 +138,11 @@ BodyState bodyOfFrame(const Scene& scene, const std::filesystem::path& folder, c
   const std::filesystem::path file = folder / frame.file;
   const auto placed = [&](Body body, NodeVectors x) {
     if (body.discreteForces()) placeObstacles(scene, frame.time, *body.discreteForces());
+    if (body.elementDamping() && body.elementDamping()->dependsOnRates()) {
+      const MeshState moving = readVtuState(file, "velocity", nullptr);  // its positions are X + v
+      const NodeVectors v = moving.x - moving.mesh.X;
+      body.followDampingRates(x, v);
+    }
     return BodyState{std::move(body), std::move(x)};
   };
   if (!scene.erosion) {
