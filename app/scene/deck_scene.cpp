@@ -5,6 +5,7 @@
 #include <cctype>
 #include <cmath>
 #include <fstream>
+#include <map>
 #include <optional>
 #include <set>
 #include <span>
@@ -389,7 +390,8 @@ struct DeckSurfaceLine {
 };
 struct DeckInitial {
   std::string selection;
-  Eigen::Vector3d velocity;
+  int component;
+  double velocity;  // m/s
   std::size_t position;
 };
 struct DeckMaterial {
@@ -664,6 +666,7 @@ class DeckReader {
       inStep_ = false;
     } else if (name == "DYNAMIC") {
       if (!ofFirstStep()) return;
+      if (dynamic_) return refuseHere(": the step has one already");
       dynamic_ = keyword_;
       reading_ = Reading::dynamic;
     } else if (name == "SURFACE") {
@@ -813,9 +816,7 @@ class DeckReader {
     if (words.size() < 3) lines_.failAt(position, "an initial velocity needs a node or set, 1, 2 or 3, and its value");
     const std::optional<int> component = componentOf(words[1], position);
     if (!component) return;
-    DeckInitial start{selectionOf(words[0]), Eigen::Vector3d::Zero(), position};
-    start.velocity[*component] = lines_.real(words[2], "the velocity", position);
-    initials_.push_back(start);
+    initials_.push_back({selectionOf(words[0]), *component, lines_.real(words[2], "the velocity", position), position});
   }
 
   void cload(const std::vector<std::string_view>& words, std::size_t position) {
@@ -853,12 +854,23 @@ class DeckReader {
       return refuse(position, fmt::format("*DLOAD, GRAV on {}: it is taken for all elements together only, since nodes "
                                           "are shared with the others",
                                           inQuotes(words[0])));
-    loads_.push_back({"", lines_.real(words[2], "the acceleration", position) * direction, true,
+    if (direction.isZero(0)) lines_.failAt(position, "GRAV: the direction is zero");
+    loads_.push_back({"", lines_.real(words[2], "the acceleration", position) * direction.normalized(), true,
                       inUpperCase(keyword_.value("AMPLITUDE")), position});
   }
   const Mesh& mesh() {
     if (!mesh_) mesh_ = readMesh(file_);
     return *mesh_;
+  }
+  /// The nodes of a selection: a set, or "#" and a number. Empty for one that is not there, which the scene refuses.
+  std::vector<std::int32_t> nodesOf(const std::string& selection) {
+    if (const auto set = mesh().nodeSets.find(selection); set != mesh().nodeSets.end()) return set->second;
+    if (selection.starts_with('#')) {
+      const std::int64_t number = std::stoll(selection.substr(1));
+      for (std::int32_t node = 0; node < static_cast<std::int32_t>(mesh().nodeCount()); ++node)
+        if (mesh().nodeId(node) == number) return {node};
+    }
+    return {};
   }
   /// The number of "P3" or "S3"; empty for another word.
   static std::optional<int> faceOf(std::string_view word, char letter) {
@@ -887,8 +899,12 @@ class DeckReader {
   void press(const std::string& elements, int face, std::string_view value, std::size_t position) {
     const double pressure = lines_.real(value, "the pressure", position);
     if (!faces_) faces_.emplace(mesh());
-    if (pressures_.empty() || pressures_.back().position != keyword_.position || pressures_.back().value != pressure)
+    const auto begin = [&] {
       pressures_.push_back({pressure, inUpperCase(keyword_.value("AMPLITUDE")), keyword_.position});
+      pressed_.clear();
+    };
+    if (pressures_.empty() || pressures_.back().position != keyword_.position || pressures_.back().value != pressure)
+      begin();
     for (const ElementRef element : elementsOf(elements, position)) {
       const MeshBlock& block = mesh().blocks[element.block];
       const auto named = [&] {
@@ -898,8 +914,10 @@ class DeckReader {
       const std::optional<std::int32_t> found = faces_->find(element, face);
       if (!found) return refuse(position, named() + ": there is no such face");
       if (*found < 0) return refuse(position, named() + " lies inside the mesh");
-      if (!pressed_.insert(*found).second)
-        return refuse(position, named() + " has a pressure already; CalculiX takes the last one");
+      if (!pressed_.insert(*found).second) {  // pressures on a face add up
+        begin();
+        pressed_.insert(*found);
+      }
       pressures_.back().faces.push_back(*found);
     }
   }
@@ -992,7 +1010,8 @@ class DeckReader {
     Json& integrator = scene_.sections["integrator"] = Json{{"step", "auto"}, {"end", 1.0}};
     scene_.origins["integrator"] = file_.string();
     const bool isExplicit = dynamic_ && dynamic_->has("EXPLICIT"),
-               fixed = dynamic_ && (dynamic_->has("DIRECT") || dynamic_->has("DIRECTUSERCONTROL"));
+               fixed = dynamic_ && ((dynamic_->has("DIRECT") && inUpperCase(dynamic_->value("DIRECT")) != "NO") ||
+                                    dynamic_->has("DIRECTUSERCONTROL"));
     const std::string where = dynamic_ ? lines_.where(dynamic_->position) : file_.string();
     if (isExplicit && times_.size() > 2 && times_[2] > 0)
       note(
@@ -1136,8 +1155,23 @@ class DeckReader {
     }
   }
   void writeInitials() {
-    for (const DeckInitial& start : initials_)
-      addEntry("initial", start.selection, {{"velocity", listOf(start.velocity)}}, start.position);
+    // Entries of a scene add up; of a deck the last value of a node counts.
+    std::map<std::pair<std::int32_t, int>, double> given;
+    for (const DeckInitial& start : initials_) {
+      std::set<double> before;
+      for (const std::int32_t node : nodesOf(start.selection)) {
+        double& value = given[{node, start.component}];
+        before.insert(value);
+        value = start.velocity;
+      }
+      if (before.size() > 1)
+        lines_.failAt(start.position,
+                      "*INITIAL CONDITIONS: its nodes have different velocities already, of lines above; give each set "
+                      "of nodes its velocity once");
+      Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
+      velocity[start.component] = start.velocity - (before.empty() ? 0 : *before.begin());
+      addEntry("initial", start.selection, {{"velocity", listOf(velocity)}}, start.position);
+    }
   }
   void writeLoads() {
     for (const DeckLoad& load : loads_) {

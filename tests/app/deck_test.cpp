@@ -212,33 +212,33 @@ TEST_F(Decks, RefuseWhatWouldChangeTheTangent) {
   };
   folder_.write("a.vtk", "");
   refuseAll("*INITIAL CONDITIONS, TYPE=STRESS\n1, 1, 5e5, 5e5, 5e5, 0., 0., 0.\n",
-            "deck.inp:32: *INITIAL CONDITIONS, TYPE=STRESS: changes the tangent and with it the critical step");
+            "deck.inp:31: *INITIAL CONDITIONS, TYPE=STRESS: changes the tangent and with it the critical step");
   refuseAll("*INITIAL CONDITIONS, TYPE=PLASTIC STRAIN\n", "TYPE=PLASTIC STRAIN: changes the tangent");
   refuseAll("*INITIAL CONDITIONS, TYPE=FIELD, VARIABLE=1\n", "TYPE=FIELD: changes the tangent");
   refuseAll("*INITIAL CONDITIONS, TYPE=SOLUTION\n", "TYPE=SOLUTION: only velocities are taken");
   refuseAll("*INITIAL CONDITIONS\n", "*INITIAL CONDITIONS needs a type");
-  refuseAll("*FIELD\nNall, 1.\n", "deck.inp:32: *FIELD: changes the tangent");
-  refuseAll("*RESTART, READ, STEP=2\n", "deck.inp:32: *RESTART, READ: goes on with the state of another run");
-  refuseAll("*FIXED MASS SCALING, FACTOR=2\n", "deck.inp:32: *FIXED MASS SCALING: adds mass");
-  refuseAll("*MODEL CHANGE, REMOVE\nEall\n", "deck.inp:32: *MODEL CHANGE: takes elements out");
-  refuseAll("*BOUNDARY, OP=NEW\nright, 1\n", "deck.inp:32: *BOUNDARY, OP=NEW: lets go of what is held above");
-  refuseAll("*BOUNDARY, LOAD CASE=2\nright, 1\n", "deck.inp:32: *BOUNDARY, LOADCASE=2: is of complex values");
-  refuseAll("*BOUNDARY, ODD\nright, 1\n", "deck.inp:32: *BOUNDARY, ODD is not taken; AMPLITUDE, TYPE=DISPLACEMENT");
+  refuseAll("*FIELD\nNall, 1.\n", "deck.inp:31: *FIELD: changes the tangent");
+  refuseAll("*RESTART, READ, STEP=2\n", "deck.inp:31: *RESTART, READ: goes on with the state of another run");
+  refuseAll("*FIXED MASS SCALING, FACTOR=2\n", "deck.inp:31: *FIXED MASS SCALING: adds mass");
+  refuseAll("*MODEL CHANGE, REMOVE\nEall\n", "deck.inp:31: *MODEL CHANGE: takes elements out");
+  refuseAll("*BOUNDARY, OP=NEW\nright, 1\n", "deck.inp:31: *BOUNDARY, OP=NEW: lets go of what is held above");
+  refuseAll("*BOUNDARY, LOAD CASE=2\nright, 1\n", "deck.inp:31: *BOUNDARY, LOADCASE=2: is of complex values");
+  refuseAll("*BOUNDARY, ODD\nright, 1\n", "deck.inp:31: *BOUNDARY, ODD is not taken; AMPLITUDE, TYPE=DISPLACEMENT");
   refuseAll("*MATERIAL, NAME=other\n*DAMPING, STRUCTURAL=0.1\n", "*DAMPING, STRUCTURAL=0.1: is of a vibration");
   refuse(std::string(soft) + step("*CLOAD, TIME DELAY=0.1\nright, 1, 1.\n"), "*CLOAD, TIMEDELAY=0.1: moves the times");
 
   // Heat strains a body that expands; without temperatures or expansion it is left out.
   const std::string heat = "*INITIAL CONDITIONS, TYPE=TEMPERATURE\nNall, 300.\n";
   const std::string expanding = "*MATERIAL, NAME=other\n*EXPANSION\n1e-5\n";
-  refuseAll(expanding + heat, "deck.inp:33: *EXPANSION with the temperatures of *INITIAL CONDITIONS (line 35)");
+  refuseAll(expanding + heat, "deck.inp:32: *EXPANSION with the temperatures of *INITIAL CONDITIONS (line 34)");
   refuseAll(expanding + "*BOUNDARY\nleft, 11, 11, 20.\n",
-            "deck.inp:33: *EXPANSION with the temperatures of *BOUNDARY (line 35)");
+            "deck.inp:32: *EXPANSION with the temperatures of *BOUNDARY (line 34)");
   for (const std::string& more : {heat, expanding})
     for (const std::string command : {"run deck.inp --out h", "inspect deck.inp"}) {
       write(std::string(soft) + "*BOUNDARY\nleft, 1, 3\n" + more + step(""));
       const Outcome outcome = call(command);
       EXPECT_EQ(outcome.status, 0) << outcome.err;
-      EXPECT_THAT(outcome.out, HasSubstr(more == heat ? "*INITIAL CONDITIONS (line 32)" : "*EXPANSION (line 33)"));
+      EXPECT_THAT(outcome.out, HasSubstr(more == heat ? "*INITIAL CONDITIONS (line 31)" : "*EXPANSION (line 32)"));
     }
 
   write(whole + "*STEP\n*DYNAMIC, EXPLICIT\n, 1.\n*END STEP\n");
