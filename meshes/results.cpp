@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <memory>
+#include <set>
+#include <string>
 #include <unordered_map>
 
 #include <ringwatch/base/error.h>
@@ -156,6 +158,9 @@ void ResultSeries::openVtk(const std::vector<fs::path>& files, const std::string
   std::vector<fs::path> frames;
   std::vector<std::optional<double>> times;
   for (const fs::path& file : files) {
+    static const std::set<std::string> known{".pvd", ".vtu", ".pvtu", ".vtk"};
+    if (!known.contains(file.extension().string()))
+      throw InputError(file.string() + ": holds no results; give a .frd, .pvd, .vtu, .pvtu or .vtk file");
     if (file.extension() != ".pvd") {
       frames.push_back(pieceOf(file));
       times.emplace_back();

@@ -189,7 +189,7 @@ const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, N
   m.body.checkNodal("x", x);
   m.body.checkNodal("v", v);
   if (h && (!(*h > 0) || !std::isfinite(*h)))
-    throw InputError(joinText("h = ", *h, " s: must be > 0 and finite; pass std::nullopt while no step is chosen"));
+    throw InputError(joinText("h = ", *h, " s: must be > 0 and finite; give none while no step is chosen"));
   MonitorReport& report = m.report;
   report.step = step;
   report.time = time;

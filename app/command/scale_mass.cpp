@@ -111,12 +111,17 @@ ScaleMassResult planMass(const ScaleMassOptions& options) {
   const std::vector<double> before = lowestFrequencies(start.body, start.state.x, start.body.lumpedMass());
   ScaleMassResult result;
   Json& json = result.json;
-  json = Json{{"scene", options.scene.string()},  {"step", options.step},
-              {"mass", start.body.totalMass()},   {"safe", bracket.safe},
-              {"optimistic", bracket.optimistic}, {"frequencies", before}};
+  json = Json{{"scene", options.scene.string()},
+              {"step", options.step},
+              {"mass", start.body.totalMass()},
+              {"safe", bracket.safe},
+              {"optimistic", bracket.optimistic},
+              {"frequencies", before},
+              {"notes", start.notes}};
   result.text = fmt::format("{}: {}, {:.6g} kg, {}\n  critical step between {:.6g} and {:.6g} s without added mass\n",
                             options.scene.string(), elementCounts(start.body.mesh()), start.body.totalMass(),
                             start.integrator->name, bracket.safe, bracket.optimistic);
+  for (const std::string& note : start.notes) result.text += fmt::format("  note: {}\n", note);
   if (options.step <= bracket.safe) {
     json["needed"] = false;
     result.text += fmt::format("a step of {:.6g} s is proven stable without any\n", options.step);

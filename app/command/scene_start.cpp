@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <ringwatch/app/command/integrator_catalog.h>
+#include <ringwatch/app/scene/body_notes.h>
 #include <ringwatch/app/scene/scene_discrete.h>
 #include <ringwatch/app/scene/scene_state.h>
 #include <ringwatch/base/error.h>
@@ -43,7 +44,8 @@ SceneStart startOf(const std::filesystem::path& file, const std::vector<std::str
   const ReferencedRule own =
       ruleAtOwnStep(scene, body, state.v.isZero(0) ? DampingRates::atRest : DampingRates::followed, ownStepTolerance,
                     [&](const StepRule& rule) { return criticalStep(body, state.x, rule).safe; });
-  for (std::vector<std::string>& more : std::array{notesOfBracket(scene, body), notesOfLaterChanges(scene)})
+  for (std::vector<std::string>& more :
+       std::array{bodyNotes(body), notesOfBracket(scene, body), notesOfLaterChanges(scene)})
     notes.insert(notes.end(), more.begin(), more.end());
   return {std::move(scene), &info, own.rule, std::move(body), std::move(state), std::move(notes)};
 }

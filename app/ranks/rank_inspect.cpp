@@ -1,6 +1,7 @@
 #include <ringwatch/app/ranks/rank_inspect.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <new>
 #include <optional>
@@ -15,6 +16,8 @@
 #include <ringwatch/app/ranks/part_checks.h>
 #include <ringwatch/app/ranks/rank_threads.h>
 #include <ringwatch/app/ranks/together.h>
+#include <ringwatch/app/scene/body_notes.h>
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/distributed/element_cut.h>
 #include <ringwatch/distributed/element_order.h>
 #include <ringwatch/distributed/exchange.h>
@@ -93,6 +96,20 @@ class MeshInParts final : public InspectedParts {
     figures.quality = qualityOfParts(ranks_, part);
     makeBody(scene, std::move(part), figures);
     hold(scene, box);
+    const Body& body = body_->body();
+    std::array<double, 2> speeds{0, -infinity};  // the fastest, and against the slowest
+    for (const auto& block : body.blocks()) {
+      speeds[0] = std::max(speeds[0], block->material().waveSpeed());
+      speeds[1] = std::max(speeds[1], -block->material().waveSpeed());
+    }
+    ranks_.largest(speeds);
+    figures.body = BodyFigures{box.high - box.low, -speeds[1], speeds[0]};
+    // Each note once, whichever ranks have it.
+    std::vector<std::string> notes = bodyNotes(body, ranks_.firstWhere(isHeld(body)) < ranks_.size());
+    for (int from = 0; (from = ranks_.firstWhere(!notes.empty())) < ranks_.size();) {
+      figures.notes.push_back(ranks_.shareText(notes.empty() ? "" : notes.front(), from));
+      std::erase(notes, figures.notes.back());
+    }
     return figures;
   }
 

@@ -97,11 +97,16 @@ Json BodyFigures::json() const {
               {"crossing_time", crossing()}};
 }
 
-std::vector<std::string> bodyNotes(const Body& body) {
+bool isHeld(const Body& body) {
+  return body.constraints().any() || !body.constraints().rigidBodies().empty() || body.discreteForces();
+}
+
+std::vector<std::string> bodyNotes(const Body& body) { return bodyNotes(body, isHeld(body)); }
+
+std::vector<std::string> bodyNotes(const Body& body, bool held) {
   std::vector<std::string> notes;
   addModes(body, notes);
-  if (!body.constraints().any() && body.constraints().rigidBodies().empty() && !body.discreteForces())
-    notes.emplace_back("nothing is held: the body can fly and turn as a whole");
+  if (!held) notes.emplace_back("nothing is held: the body can fly and turn as a whole");
   addUnits(body, notes);
   return notes;
 }

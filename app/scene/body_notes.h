@@ -21,6 +21,10 @@ BodyFigures bodyFigures(const Body& body);
 
 /// What a user may not have meant, one sentence each: elements with modes that nothing resists, a body that nothing
 /// holds, and a wave speed that no solid has.
+std::vector<std::string> bodyNotes(const Body& body, bool held);
+/// The same of a body as a whole.
 std::vector<std::string> bodyNotes(const Body& body);
+/// Whether supports, springs or contact may keep a body from flying off.
+bool isHeld(const Body& body);
 
 }  // namespace ringwatch

@@ -806,8 +806,8 @@ std::map<std::string, std::string> parseRules(const std::vector<std::string>& te
     if (!findRule(*element, rule) || rule.empty()) {
       std::vector<std::string> known;
       for (const QuadratureRule& r : element->rules) known.emplace_back(r.name);
-      throw InputError(fmt::format("{}: unknown rule {} for {}; did you mean \"{}\"? known are {}", origin,
-                                   inQuotes(rule), name, nearestName(rule, known), fmt::join(known, ", ")));
+      throw InputError(fmt::format("{}: unknown rule {} for {}; {}known are {}", origin, inQuotes(rule), name,
+                                   didYouMean(rule, known), fmt::join(known, ", ")));
     }
     rules[name] = rule;
   }

@@ -182,12 +182,12 @@ class Reader {
       std::vector<std::string> meant;  // keys of that name
       for (const SceneKey& key : sceneKeys())
         if (equals != std::string::npos && key.key == path)
-          meant.push_back(fmt::format("{}{}.{}", key.section, findSection(key.section)->list ? ".0" : "", key.key));
+          meant.push_back(fmt::format("{}{}.{}={}", key.section, findSection(key.section)->list ? ".0" : "", key.key,
+                                      text.substr(equals + 1)));
       throw InputError(
           meant.empty()
               ? fmt::format("{}: not an assignment; write section.key=value, e.g. integrator.step=1e-3", origin)
-              : fmt::format("{}: the section is missing; write {}={}", origin, fmt::join(meant, " or "),
-                            text.substr(equals + 1)));
+              : fmt::format("{}: the section is missing; write {}", origin, fmt::join(meant, " or ")));
     }
 
     const toml::table assignment = parseValue(text.substr(equals + 1), origin);
