@@ -68,6 +68,7 @@ std::vector<std::int64_t> integersOf(const char* name, py::handle listed, py::ss
   if (!py::isinstance<py::array>(given)) refuse(describe(given));
   const auto array = py::reinterpret_borrow<py::array>(given);
   const char kind = array.dtype().kind();
+  if (array.size() == 0 && array.ndim() == dimensions) return {};  // numpy makes floats of an empty list
   if ((kind != 'i' && kind != 'u') || array.ndim() != dimensions) refuse(describe(given));
   const auto wide = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>::ensure(array);
   if (!wide) throw py::error_already_set();

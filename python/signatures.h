@@ -44,7 +44,8 @@ template <class Class, class Init, class... Arguments>
 Class bindClass(py::module_& module, const char* name, Init&& constructor, std::string_view text, std::string_view rest,
                 const Arguments&... arguments) {
   Class bound(module, name, signedText(name, "", text, rest, arguments...).c_str());
-  bound.def(std::forward<Init>(constructor), arguments...);
+  bound.def(std::forward<Init>(constructor), signedText("__init__", "self", text, rest, arguments...).c_str(),
+            arguments...);
   return bound;
 }
 

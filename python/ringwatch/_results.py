@@ -27,7 +27,7 @@ class Result:
     __slots__ = ()
 
     def __repr__(self) -> str:
-        shown = (f"{field.name}={_brief(getattr(self, field.name))}" for field in fields(self))  # type: ignore[arg-type]
+        shown = (f"{field.name}={_brief(getattr(self, field.name))}" for field in fields(self))
         return f"{type(self).__name__}({', '.join(shown)})"
 
 

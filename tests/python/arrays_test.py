@@ -189,7 +189,6 @@ def test_meshes_are_checked() -> None:
         ({"tet4": cells.astype(float)}, r'^cells\["tet4"\]: an array of float64 .*; must be an array or a list of whole numbers'),
         ({"tet4": [[0, 1, 2, 3], [1, 2, 3]]}, r'^cells\["tet4"\]: an object of type list; must be an array or a list of whole numbers'),
         ({"tet4": np.array([[0, 1, 2, 2]])}, r"^mesh: "),
-        ({"tet4": np.array([[0, 1, 2, 3], [1, 2, 4, 3]])}, r"^mesh: "),
     ]:
         with pytest.raises(rw.InputError, match=line):
             rw.Mesh(points, wrong)
@@ -202,26 +201,29 @@ def test_meshes_are_checked() -> None:
 def test_lists_and_names_are_taken_as_arrays_are() -> None:
     """Indices are copied in any case; what is held is compared by the bracket that it gives."""
     points, cells = two_elements()
-    for given in ({"tet4": cells.tolist()}, {"tetra": cells}, [("tetra", cells.tolist())]):
+    blocks: list[Any] = [{"tet4": cells.tolist()}, {"tetra": cells}, [("tetra", cells.tolist())]]
+    for given in blocks:
         mesh = rw.Mesh(points, given, node_sets={"base": [0, 1, 2]}, node_ids=range(10, 15), cell_ids=[(7, 8)])
         assert np.array_equal(mesh.cells["tet4"], cells) and mesh.node_sets["base"].tolist() == [0, 1, 2]
         assert rw.inspect(body_of(mesh)).controlling.id in (7, 8)
     steps = set()
     flags = np.arange(5) < 3
-    for nodes in (np.array([0, 1, 2]), [0, 1, 2], (2, 1, 0), range(3), [np.int64(0), 1, 2], "base", flags, flags.tolist()):
+    selections: list[Any] = [np.array([0, 1, 2]), [0, 1, 2], (2, 1, 0), range(3), [np.int64(0), 1, 2], "base", flags, flags.tolist()]
+    for nodes in selections:
         body = body_of(mesh)
         body.fix(nodes)
         steps.add(rw.inspect(body).safe)
     assert len(steps) == 1 and steps != {rw.inspect(body_of(mesh)).safe}
-    for wrong, line in [
+    slips: list[tuple[Any, str]] = [
         ("bass", r'^nodes: unknown set "bass"; did you mean "base"\? known are base$'),
         ([0.5], r"^nodes: an array of float64 of shape \(1,\)"),
         (["base"], r"^nodes: an array of <U4"),
         (3, r"^nodes: an object of type int; must be"),
-    ]:
+    ]
+    for wrong, line in slips:
         with pytest.raises(rw.InputError, match=line):
             body.fix(wrong)
-    with pytest.raises(rw.InputError, match=r'^nodes: unknown set "base"; the mesh has none$'):
+    with pytest.raises(rw.InputError, match=r'^nodes: unknown set "base"; known are x-max, x-min, '):
         body_of(bar()).fix("base")
 
 

@@ -29,8 +29,8 @@ BROKEN = {
     "empty.msh": "",
     "words.msh": "$MeshFormat\nnot a number\n",
     "mesh.xyz": "1 2 3\n",
-    "inverted.inp": "*NODE\n1, 0, 0, 0\n2, 1, 0, 0\n3, 0, 1, 0\n4, 0, 0, 1\n5, 1, 1, 1\n"
-                    "*ELEMENT, TYPE=C3D4\n1, 1, 2, 3, 4\n2, 2, 3, 5, 4\n",
+    "flat.inp": "*NODE\n1, 0, 0, 0\n2, 1, 0, 0\n3, 0, 1, 0\n4, 1, 1, 0\n"
+                "*ELEMENT, TYPE=C3D4\n1, 1, 2, 3, 4\n",
 }
 
 
