@@ -72,7 +72,8 @@ RunEvent eventOf(const Json& json) {
 std::int64_t below(std::size_t count, const Json& json, std::int64_t least = 0) {
   const auto number = json.get<std::int64_t>();
   if (number < least || number >= static_cast<std::int64_t>(count))
-    throw InputError(fmt::format("{} where {} to {} can be meant", number, least, static_cast<std::int64_t>(count) - 1));
+    throw InputError(
+        fmt::format("{} where {} to {} can be meant", number, least, static_cast<std::int64_t>(count) - 1));
   return number;
 }
 
@@ -101,9 +102,10 @@ std::optional<RunResult::Discrete> discreteOf(const Json& json, const Scene& sce
   discrete.deepestTime = json.at("deepest_time").get<double>();
   discrete.deepestNode = static_cast<std::int32_t>(below(nodes, json.at("deepest_node"), -1));
   const Json& obstacle = json.at("deepest_obstacle");
-  discrete.deepestObstacle = obstacle == DiscreteForces::ofSurface
-                                 ? DiscreteForces::ofSurface
-                                 : static_cast<std::size_t>(below(std::max<std::size_t>(scene.obstacles.size(), 1), obstacle));
+  discrete.deepestObstacle =
+      obstacle == DiscreteForces::ofSurface
+          ? DiscreteForces::ofSurface
+          : static_cast<std::size_t>(below(std::max<std::size_t>(scene.obstacles.size(), 1), obstacle));
   return discrete;
 }
 

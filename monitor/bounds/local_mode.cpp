@@ -75,7 +75,7 @@ void LocalMode::choose(const NodeVectors& mode, std::size_t nodes) {
   if (incidences_.elementsAt(region_).empty()) region_.clear();
   if (region_.empty()) return;
   makePart(region_);
-  vector_ = mode(Eigen::all, nodes_);
+  vector_ = NodeVectors(mode(Eigen::all, nodes_));
   largest_ = 0;
   sinceSearch_ = searchGap;
   isNew_ = true;
@@ -95,7 +95,7 @@ LowerBound LocalMode::evaluate(NodeVectorsView x, bool mayImprove) {
     if (!part_) return {0};
   }
   if (const DiscreteForces* discrete = body_.discreteForces()) discrete->locate(x);
-  x_ = x(Eigen::all, nodes_);
+  x_ = NodeVectors(x(Eigen::all, nodes_));  // where memory ends in an assignment, no object is left
   const bool improve = isNew_ || (++sinceImproved_ >= gap_ && mayImprove);
   const int products = isNew_ ? 3 * products_ : improve ? products_ : 1;
   const LowerBound bound = rayleighLowerBound(*part_, x_, vector_, products, &largest_);

@@ -112,7 +112,8 @@ LowestMode LowestModeSearch::find(NodeVectorsView x, int maxProducts) {
     }
     const bool last = result.products == maxProducts || !(T.beta.back() > 1e-12 * T.radius);
     if (last || T.size() % 4 == 0) {
-      solver = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(T.dense());  // compute() leaves no object where memory ends
+      solver =
+          Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(T.dense());  // compute() leaves no object where memory ends
       if (solver.info() != Eigen::Success) return result;
       if (last || solver.eigenvalues()[0] < -clearlyBelow * T.radius) break;
     }

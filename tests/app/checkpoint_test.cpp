@@ -335,7 +335,7 @@ TEST_F(Checkpoints, OfSignalsHoldTheStepAtWhichTheyCame) {
   writeCheckpoint(folder_.path() / "part", other);
   refuse("part/checkpoint.bin: does not fit this scene");
   // Numbers of nodes, materials and verdicts that are not there.
-  const Json discrete{{"governed", 0},     {"least_safe", nullptr}, {"most_touching", 1},  {"deepest", 0.1},
+  const Json discrete{{"governed", 0},     {"least_safe", nullptr},   {"most_touching", 1},   {"deepest", 0.1},
                       {"deepest_time", 0}, {"deepest_node", 1 << 30}, {"deepest_obstacle", 0}};
   const Json governing{{"observations", {1}}, {"least_safe", 1e-3}, {"at_least_safe", 7}};
   for (const auto& [key, value] : {std::pair<std::string, Json>("discrete", discrete),

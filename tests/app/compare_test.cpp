@@ -53,7 +53,7 @@ TEST_F(Program, ComparesIntegratorsOnAScene) {
   EXPECT_EQ(printed["runs"][1]["forces"], 101);  // a hundred steps and the start
 
   expectRefused("compare tiny.toml --integrators verlett", "did you mean \"verlet\"");
-  expectRefused("compare tiny.toml --step 0", "--step: 0 s must be > 0");
+  expectRefused("compare tiny.toml --step 0", "--step: \"0\" is no time");
   expectRefused("compare tiny.toml --step 1", "beyond the end");
   expectRefused("compare absent.toml", "absent.toml");
   expectRefused("compare tiny.toml --integrators verlet --set move.0.velocity=\"[0, 0, 0]\"", "nothing moves;");

@@ -29,7 +29,7 @@ velocity = [1, 0, 0]
 """
 # Smaller ones are too many, and those of the C++ library at its start.
 LEAST = 2000
-RUNS = 400
+RUNS = 120
 
 
 def main():

@@ -1,5 +1,5 @@
-// Loaded before the C library, a malloc that fails once: at the call FAIL_AT of those for FAIL_LEAST bytes or more. Prints
-// how many there were where FAIL_COUNT is set.
+// Loaded before the C library, a malloc that fails once: at the call FAIL_AT of those for FAIL_LEAST bytes or more.
+// Prints how many there were where FAIL_COUNT is set.
 #include <dlfcn.h>
 
 #include <atomic>

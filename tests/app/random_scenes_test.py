@@ -215,8 +215,10 @@ class Drawn:
         for key in ("stiffness_damping", "shear_viscosity", "mass_damping"):
             for material in self.tables["material"]:
                 material.pop(key, None)
-        for damping in self.tables["damping"]:
+        for damping in self.tables.get("damping", []):
             damping.pop("bulk_viscosity", None)
+        if not any(self.tables.get("damping", [])):
+            self.remove("damping")
         for move in self.tables["move"]:
             move.pop("factor", None)
         self.tables["output"][0].pop("checkpoint_every", None)
@@ -301,11 +303,12 @@ class Trial:
 
     def acting(self, summary, last):
         """The features that have left a trace in the results."""
-        dissipated = float(last["dissipated_J"] or 0)
+        # A short run may have a row of its start alone.
+        damped = float(last["dissipated_J"] or 0) > 0 or last["step"] == "0"
         forces, erosion = summary["discrete_forces"] or {}, summary["erosion"] or {}
         traces = {"erosion": erosion.get("elements"), "cut": summary["cuts"], "surfaces": forces.get("most_touching"), "obstacle": forces.get("most_touching"),
-                  "certificates": any(name.startswith("certificates") for name in summary["files"]), "damping": dissipated > 0,
-                  "material damping": dissipated > 0, "checkpoints": True, "spring": bool(forces), "handler": summary["handler"]}
+                  "certificates": any(name.startswith("certificates") for name in summary["files"]), "damping": damped,
+                  "material damping": damped, "checkpoints": True, "spring": bool(forces), "handler": summary["handler"]}
         return {name for name, trace in traces.items() if trace}
 
     def differences(self, folder, status, outcome):

@@ -200,7 +200,9 @@ def check_history(browser, chromium, run):
     lines = (run / "history.csv").read_text().splitlines()
     last = lines[-1].split(",")
     readout = browser.evaluate("ringwatchReport.history.readout()")
-    true(readout.startswith(f"step {last[0]} ·") and f"controlled by element {last[5]}" in readout, readout)
+    # Of a generated bar of one block, whose elements are numbered from 0: by the number that a file has.
+    number = last[5].split(":")[1]
+    true(readout.startswith(f"step {last[0]} ·") and f"controlled by element {number} " in readout, readout)
     # The band of who controls when: in each run of rows the colour of its element, another one for the next element.
     rows = [line.split(",") for line in lines[1:]]
     changes = [i for i in range(1, len(rows) - 1) if rows[i][5] != rows[i - 1][5]]

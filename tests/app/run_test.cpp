@@ -159,8 +159,9 @@ TEST_F(Program, WritesFramesOfSchemesWithoutACriticalStep) {
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(json("r/summary.json")["frames"], 6);
   EXPECT_THAT(folder_.read("r/frames/frame_000001.vtu"), ::testing::Not(HasSubstr("critical_step")));
-  expectRefused("run implicit.toml --out no --set integrator.method=implicit-euler --set output.fields=[critical_step]",
-                "has no critical step");
+  expectRefused(
+      "run implicit.toml --out no --set integrator.method=implicit-euler --set 'output.fields=[\"critical_step\"]'",
+      "has no critical step");
 }
 
 TEST_F(Program, WarnsAndEndsWithTheLastGoodFrameWhenItBlowsUp) {

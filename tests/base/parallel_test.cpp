@@ -103,14 +103,14 @@ TEST(NearestName, FindsWhatWasProbablyMeant) {
 
 TEST(NearestName, SaysNothingWhereNothingIsNear) {
   const std::vector<std::string> integrators{"verlet", "rk4", "pefrl", "implicit-euler"};
-  for (const char* word : {"newmark", "bathe", "q", "verlet-with-a-tail-that-nobody-means"})
+  for (const char* word : {"bathe", "q", "verlet-with-a-tail-that-nobody-means"})
     EXPECT_EQ(nearestName(word, integrators), "") << word;
   EXPECT_EQ(nearestName("rk5", integrators), "rk4");
   EXPECT_EQ(nearestName("implict-eular", integrators), "implicit-euler");
   EXPECT_EQ(nearestName("y", std::vector<std::string>{"x"}), "") << "no letter in common";
   EXPECT_EQ(nearestName(std::string(1000000, 'x'), integrators), "");
   EXPECT_EQ(didYouMean("verlett", integrators), "did you mean \"verlet\"? ");
-  EXPECT_EQ(didYouMean("newmark", integrators), "");
+  EXPECT_EQ(didYouMean("bathe", integrators), "");
 }
 
 TEST(UserText, IsShortenedBetweenCharacters) {

@@ -27,8 +27,12 @@ expect 1 "$checker" bar.certificate --expect 0123456789abcdef
 [[ $out == *"PROVEN OF ANOTHER BODY"* ]] || fail "$out"
 for hash in "" 12 "${body}0" 0123456789abcdeg; do expect 2 "$checker" --expect "$hash" bar.certificate; done
 expect 2 "$checker" --expect "$body"
-other() { # OPTION VALUE …: the hash of a body with other options
-  "$ringwatch" inspect bar.msh --young 30e3 --poisson 0.3 --density 1000 --fix "x < 1e-6" "$@" --certificate other.certificate |
+other() { # OPTION VALUE: the hash of the body, with that option in place of its own
+  local -A options=([--young]=30e3 [--poisson]=0.3 [--density]=1000 [--fix]="x < 1e-6")
+  local given=() option
+  if (($# == 2)); then options[$1]=$2; else given=("$@"); fi
+  for option in "${!options[@]}"; do given+=("$option" "${options[$option]}"); done
+  "$ringwatch" inspect bar.msh "${given[@]}" --certificate other.certificate |
     sed -n 's/certificate: .* of the body \([0-9a-f]*\), .*/\1/p'
 }
 [[ $(other) == "$body" && $(other --exact) == "$body" ]] || fail "the hash depends on the proof"
