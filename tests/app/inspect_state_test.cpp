@@ -159,7 +159,7 @@ TEST_F(Inspect, TakesAFrameOfARun) {
   expectRefused("inspect r --frame 99", "--frame: 99 " + outOfRange);
   expectRefused("inspect r --frame 0", "--frame: 0 " + outOfRange);
   expectRefused("inspect r", "r: is a folder; give a mesh file, or with the folder of a run --frame n");
-  expectRefused("inspect tiny.toml --frame 1", "--frame: tiny.toml is not a folder");
+  expectRefused("inspect tiny.toml --frame 1", "tiny.toml: is a scene; give its mesh, a deck, or");
   std::filesystem::create_directory(folder_.path() / "empty");
   expectRefused("inspect empty --frame 1", "empty/summary.json: cannot read");
   ASSERT_EQ(call("run tiny.toml --out stills --set integrator.end=0.002").status, 0);

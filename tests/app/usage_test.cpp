@@ -23,6 +23,8 @@ TEST_F(Program, RefusesBadUsageInOneLine) {
   expectRefused("run --threads many x.toml", "--threads");
   expectRefused("run --out", "--out");
   expectRefused("inspect", "MESH is required");
+  expectRefused("inspect a.msh --young 1 --poisson 0.3", "a.msh: cannot read: there is no such file");
+  ASSERT_EQ(call("mesh generate cube --cells 1 -o a.msh").status, 0);
   expectRefused("inspect a.msh --young 1 --poisson 0.3", "--density is required");
   expectRefused("inspect a.msh --young 1 --poisson 0.3 --density 1 --gloabl", "did you mean \"--global\"?");
   expectRefused("mesh", "");

@@ -148,7 +148,7 @@ TEST(BadInput, GmshOptionsThatHelpAreNamed) {
 
 TEST(BadInput, EveryFormatIsNamedAndHasAReader) {
   const TemporaryFolder folder;
-  writeBytes(folder / "a.points", "solid\n");
+  writeBytes(folder / "a.points", "points\n");
   const std::string unknown = errorOf([&] { readMesh(folder / "a.points"); });
   for (const MeshFormatInfo& format : allMeshFormats()) {
     const std::string extensions(format.extensions);
@@ -171,7 +171,7 @@ TEST(BadInput, FilesThatCannotBeReadOrAreNoMesh) {
   EXPECT_THAT(errorOf([&] { readMesh(folder.path()); }), HasSubstr("folder"));
   writeBytes(folder / "empty.msh", "");
   EXPECT_THAT(errorOf([&] { readMesh(folder / "empty.msh"); }), HasSubstr("empty"));
-  writeBytes(folder / "a.points", "solid\x01 \xFF\nfacet\n");
+  writeBytes(folder / "a.points", "points\x01 \xFF\n");
   EXPECT_THAT(errorOf([&] { readMesh(folder / "a.points"); }), HasSubstr("known are"));
   EXPECT_THAT(errorOf([&] { writeMesh(mixedMesh(), folder / "a.stl"); }), HasSubstr(".msh or .vtu"));
   EXPECT_THAT(errorOf([&] { writeMesh(mixedMesh(), folder / "nowhere" / "a.msh"); }), HasSubstr("no folder"));
