@@ -82,10 +82,7 @@ std::string readWholeFile(const std::filesystem::path& path) {
   if (text.empty()) throw InputError(name + ": the file is empty");
   if (text.starts_with("version https://git-lfs.github.com/"))
     throw InputError(name + ": this is a pointer of Git LFS, not the file itself; git lfs pull brings it");
-  for (const std::string_view packed : {"\x1f\x8b", "PK\x03\x04", "BZh9",
-                                        "\xfd"
-                                        "7zXZ",
-                                        "7z\xbc\xaf", "\x28\xb5\x2f\xfd"})
+  for (const std::string_view packed : {"\x1f\x8b", "PK\x03\x04", "BZh9", "\3757zXZ", "7z\xbc\xaf", "\x28\xb5\x2f\xfd"})
     if (text.starts_with(packed)) throw InputError(name + ": this is a packed file; unpack it");
   return text;
 }
