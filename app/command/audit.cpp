@@ -311,6 +311,7 @@ class AuditReport {
       result.status = ExitStatus::unstable;
     else if (open)
       result.status = ExitStatus::notCertified;
+    conclude(result);
     if (!known)
       result.text += "the results do not tell which step was taken; --step h holds one against the brackets\n";
     result.text += fmt::format("note: {}\n", honestLimit);
@@ -318,6 +319,28 @@ class AuditReport {
   }
 
  private:
+  /// What a user asks first: how large the steps were beside what is proven of the same states.
+  void conclude(AuditResult& result) const {
+    Json& steps = result.json["steps"] = nullptr;
+    const AuditedState* closest = nullptr;
+    double largest = 0, least = infinity;
+    for (const AuditedState& state : states_) {
+      if (!state.verdict()) continue;
+      const auto share = [](const AuditedState& of) { return *of.step / of.bracket->safe; };
+      if (!closest || share(state) > share(*closest)) closest = &state;
+      largest = std::max(largest, *state.step);
+      least = std::min(least, state.bracket->safe);
+    }
+    if (!closest || !std::isfinite(least)) return;
+    const double share = *closest->step / closest->bracket->safe;
+    steps =
+        Json{{"largest", largest}, {"largest_share", share}, {"state", closest->index + 1}, {"proven_in_all", least}};
+    result.text += fmt::format(
+        "the step came to {:.3g} times the proven one, in {}; {:.6g} s is proven in every one of these states, {:.3g} "
+        "times the largest step of the run\n",
+        share, nameOf(*closest), least, least / largest);
+  }
+
   void table(std::string& text, bool all) const {
     text += fmt::format("  {:>6} {:>12} {:>12} {:>12} {:>12}  {:<13} {:>12}  {}\n", "state", "time (s)", "step (s)",
                         "safe (s)", "optim. (s)", "verdict", "strain (J)", "controlling element");
@@ -348,7 +371,45 @@ class AuditReport {
   const std::vector<AuditedState>& states_;
 };
 
+std::string escaped(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '&')
+      result += "&amp;";
+    else if (c == '<')
+      result += "&lt;";
+    else if (c == '"')
+      result += "&quot;";
+    else
+      result += c;
+  }
+  return result;
+}
+
 }  // namespace
+
+std::string junitText(const Json& audit) {
+  std::string cases;
+  int failures = 0;
+  for (const Json& state : audit["history"]) {
+    const auto verdict = state["verdict"].get<std::string>();
+    std::string fault = verdict == "certified" || verdict == "-" ? "" : verdict;
+    if (state["inverted"]) fault += fault.empty() ? "an element is inverted" : ", an element is inverted";
+    cases += fmt::format("  <testcase classname=\"ringwatch.audit\" name=\"state {}, {}\"", state["state"].get<int>(),
+                         escaped(state["where"].get<std::string>()));
+    if (fault.empty()) {
+      cases += "/>\n";
+      continue;
+    }
+    ++failures;
+    cases += fmt::format(">\n    <failure message=\"{}: step {} s, safe {} s, optimistic {} s\"/>\n  </testcase>\n",
+                         fault, state["step"].dump(), state["safe"].dump(), state["optimistic"].dump());
+  }
+  return fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"{}\" tests=\"{}\" "
+      "failures=\"{}\">\n{}</testsuite>\n",
+      escaped(audit["results"].get<std::string>()), audit["history"].size(), failures, cases);
+}
 
 AuditResult auditResults(const AuditOptions& options) {
   Scene scene = sceneOfAudit(options);

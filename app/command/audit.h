@@ -90,5 +90,8 @@ struct AuditResult {
 /// The bracket of every state that another program has left, against the step that it took: where its run left proven
 /// ground. Throws InputError for bad input.
 AuditResult auditResults(const AuditOptions& options);
+/// The states of AuditResult::json as test cases in JUnit's XML. One fails where its step is not certified, an element
+/// is inverted or the state is lost.
+std::string junitText(const nlohmann::ordered_json& audit);
 
 }  // namespace ringwatch

@@ -600,7 +600,7 @@ struct InspectCommand {
 struct AuditCommand {
   AuditOptions options;
   JsonOption json;
-  std::string page, typed, lumping;
+  std::string page, junit, typed, lumping;
 
   void declare(CLI::App& app) {
     CLI::App* command =
@@ -632,6 +632,8 @@ struct AuditCommand {
     command->add_flag("--all", options.all, "a line of the table for every state; --json always has them");
     json.declare(*command, "numbers");
     command->add_option("--report", page, pageHelp)->type_name("FILE");
+    command->add_option("--junit", junit, "a test case for each state in JUnit's XML, which CI systems show")
+        ->type_name("FILE");
     command->add_option("--threads", options.threads, "threads (default: as many as the mesh can use)")
         ->check(CLI::Range(0, 4096));
     command->footer(
@@ -651,6 +653,7 @@ struct AuditCommand {
       };
     if (!lumping.empty()) options.lumping = lumpingNames.valueOf("--lumping", lumping);
     const AuditResult result = auditResults(options);
+    if (!junit.empty()) writeFileAtomically(junit, junitText(result.json));
     json.write(result.json, result.text + written);
     return result.status;
   }

@@ -147,6 +147,29 @@ TEST_F(Audits, LeaveOutElementsThatAreDeletedAndNameAllByTheNumbersOfTheFile) {
   EXPECT_GT(deleted["history"][1]["safe"].get<double>(), deleted["at_rest"]["safe"].get<double>());
 }
 
+// By the brackets of the table: a run at a twentieth of its step, and one that is too large in the second state alone.
+TEST_F(Audits, ConcludeHowLargeTheStepsWere) {
+  const auto stretched = [](double by) { return [by](const Eigen::Vector3d& X) { return Eigen::Vector3d(by * X); }; };
+  writeVtk("a0.vtk", 0, 0, stretched(1));
+  writeVtk("a1.vtk", 1e-3, 10, stretched(1.2));
+  const Json rest = audit("a0.vtk a1.vtk --step 1e-6" + std::string(test::material), 0);
+  const double first = rest["history"][0]["safe"], second = rest["history"][1]["safe"];
+  ASSERT_NE(first, second);
+  for (const double h : {0.05 * std::min(first, second), 0.99 * std::max(first, second)}) {
+    const bool proven = h < std::min(first, second);
+    const Outcome outcome =
+        call("audit a0.vtk a1.vtk --json j.json --junit j.xml --step " + test::digits(h) + test::material);
+    const Json steps = json("j.json")["steps"];
+    EXPECT_NEAR(steps["largest_share"].get<double>(), h / std::min(first, second), 1e-12);
+    EXPECT_EQ(steps["state"], first < second ? 1 : 2);
+    EXPECT_EQ(steps["proven_in_all"], std::min(first, second));
+    EXPECT_THAT(outcome.out, HasSubstr("is proven in every one of these states"));
+    const std::string cases = folder_.read("j.xml");
+    EXPECT_THAT(cases, HasSubstr(proven ? "tests=\"2\" failures=\"0\"" : "tests=\"2\" failures=\"1\""));
+    EXPECT_EQ(cases.find("<failure") == std::string::npos, proven);
+  }
+}
+
 TEST_F(Audits, NameWhatIsInvertedAndLost) {
   const auto flat = [](const Eigen::Vector3d& X) { return Eigen::Vector3d(X[0], X[1], -0.5 * X[2]); };
   const auto lost = [](const Eigen::Vector3d& X) { return Eigen::Vector3d(X[0] > 0 ? std::nan("") : 0, X[1], X[2]); };
