@@ -503,7 +503,7 @@ method = "mass-scaling"
             1);
   EXPECT_NEAR((*scaling)["added_mass"].get<double>() / json("s/summary.json")["handler"]["added_mass_kg"].get<double>(),
               1, 1e-9);
-  const Json verdict = report["verdict"];
+  const Json& verdict = report["verdict"];
   EXPECT_THAT(verdict["remedies"].dump(),
               AllOf(HasSubstr("smaller step"), HasSubstr("easured when this page was written"),
                     HasSubstr((*row)["elements"].dump() + " of 240 elements")));

@@ -158,7 +158,7 @@ TEST(Check, QuadraticElementsInAnotherProgramsOrderAreToldSo) {
 }
 
 TEST(Check, PartsThatHangByAnEdgeOrANodeAreNoted) {
-  const auto notesOfTwo = [](Eigen::Vector3d shift) {
+  const auto notesOfTwo = [](const Eigen::Vector3d& shift) {
     const Mesh one = generateBar({.size = {1, 1, 1}, .cells = {1, 1, 1}, .element = "hex8"});
     Mesh two = one;
     two.X.conservativeResize(3, 16);

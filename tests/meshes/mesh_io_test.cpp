@@ -268,7 +268,7 @@ TEST(MeshIo, WedgesInVtksOrderNeedNoNoteAndThoseInGmshsAreTurnedRound) {
 TEST(MeshIo, CollapsedHexahedraAreReadAsWhatIsLeft) {
   const TemporaryFolder folder;
   const ElementInfo& hex = *findElementByName("hex8");
-  const auto read = [&](std::vector<int> nodes, std::vector<std::string>& notes) {
+  const auto read = [&](const std::vector<int>& nodes, std::vector<std::string>& notes) {
     std::string text =
         "*NODE\n1,0,0,0\n2,1,0,0\n3,1,1,0\n4,0,1,0\n5,0,0,1\n6,1,0,1\n7,1,1,1\n8,0,1,1\n*ELEMENT, TYPE=C3D8, "
         "ELSET=all\n7";

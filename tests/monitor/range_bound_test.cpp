@@ -245,7 +245,7 @@ TEST(RangeBound, CountsSpringsAndObstaclesWhereverNodesAre) {
 TEST(RangeBound, HasTheLimitOfAStiffSpring) {
   Body body = test::boxBody({"", "hex8", 1, "", 0}, "stvk", {1, 1, 1}, 0);
   const double m = body.lumpedMass()[0], k = 1e8 * test::young * test::cellSize;
-  const auto lambdaWith = [&](std::vector<Spring> springs, double f) {
+  const auto lambdaWith = [&](const std::vector<Spring>& springs, double f) {
     DiscreteForces forces(body.nodeCount());
     forces.add(springs);
     forces.setDampingFactor(f);
