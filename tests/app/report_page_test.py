@@ -314,11 +314,15 @@ def check_live(browser, chromium, run):
                 # What is shown stays so: the part of the time, the place on the page.
                 page.wait_for("ringwatchReport.mesh !== undefined", 60)
                 whole = page.evaluate("ringwatchReport.history.range()[1]")
-                page.evaluate("[...document.querySelectorAll('#history-live button')].find(b => b.textContent == 'Closer').click()")
-                page.evaluate("scrollTo(0, 700)")
-                # The picture follows when it is drawn next.
-                page.wait_for("(range => range[1] - range[0] < 0.9 * %r)(globalThis.ringwatchReport?.history?.range() "
-                              "?? [0, Infinity])" % whole, 60)
+                # Asked for again where the page loads itself at that very moment; the picture follows when it is drawn next.
+                page.wait_for("""(() => {
+                    const range = globalThis.ringwatchReport?.history?.range();
+                    if (!range) return false;
+                    scrollTo(0, 700);
+                    if (range[1] - range[0] < 0.9 * %r) return true;
+                    [...document.querySelectorAll('#history-live button')].find(b => b.textContent == 'Closer')?.click();
+                    return false;
+                })()""" % whole, 60)
                 seen = page.evaluate("ringwatchReport.history.range()")
                 page.wait_for(f"globalThis.ringwatchReport?.ready === true && {step} > {first}", 60)
                 again = page.evaluate("ringwatchReport.history.range()")
