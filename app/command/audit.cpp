@@ -13,6 +13,7 @@
 #include <ringwatch/app/scene/scene_features.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/infinity.h>
+#include <ringwatch/base/markup.h>
 #include <ringwatch/base/user_text.h>
 #include <ringwatch/meshes/check.h>
 #include <ringwatch/meshes/results.h>
@@ -371,21 +372,6 @@ class AuditReport {
   const std::vector<AuditedState>& states_;
 };
 
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&')
-      result += "&amp;";
-    else if (c == '<')
-      result += "&lt;";
-    else if (c == '"')
-      result += "&quot;";
-    else
-      result += c;
-  }
-  return result;
-}
-
 }  // namespace
 
 std::string junitText(const Json& audit) {
@@ -396,7 +382,7 @@ std::string junitText(const Json& audit) {
     std::string fault = verdict == "certified" || verdict == "-" ? "" : verdict;
     if (state["inverted"]) fault += fault.empty() ? "an element is inverted" : ", an element is inverted";
     cases += fmt::format("  <testcase classname=\"ringwatch.audit\" name=\"state {}, {}\"", state["state"].get<int>(),
-                         escaped(state["where"].get<std::string>()));
+                         markupText(state["where"].get<std::string>()));
     if (fault.empty()) {
       cases += "/>\n";
       continue;
@@ -408,7 +394,7 @@ std::string junitText(const Json& audit) {
   return fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"{}\" tests=\"{}\" "
       "failures=\"{}\">\n{}</testsuite>\n",
-      escaped(audit["results"].get<std::string>()), audit["history"].size(), failures, cases);
+      markupText(audit["results"].get<std::string>()), audit["history"].size(), failures, cases);
 }
 
 AuditResult auditResults(const AuditOptions& options) {

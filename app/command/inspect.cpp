@@ -194,13 +194,14 @@ Subject subjectOfDeck(const InspectOptions& options) {
 Scene sceneOfMeshFile(const InspectOptions& options) {
   Scene scene;
   const LawInfo& law = lawNamed(options.model.value_or(std::string(InspectOptions::usualModel)));
-  const auto required = [&](std::string_view name) {
+  const auto require = [&](bool given, std::string_view name) {
+    if (given) return;
     loadMesh(options.mesh, nullptr);  // of a file that is no mesh, that is the fault
-    return InputError(fmt::format("--{} is required with a mesh file; see ringwatch inspect --help", name));
+    throw InputError(fmt::format("--{} is required with a mesh file; see ringwatch inspect --help", name));
   };
   for (const OptionInfo& parameter : law.parameters)
-    if (parameter.fallback.empty() && !options.parameters.find(parameter.name)) throw required(parameter.name);
-  if (!options.density) throw required("density");
+    require(!parameter.fallback.empty() || options.parameters.find(parameter.name), parameter.name);
+  require(options.density.has_value(), "density");
   scene.materials.emplace_back().model = InspectOptions::usualModel;
   scene.method = InspectOptions::usualIntegrator;
   scene.lumping = InspectOptions::usualLumping;
@@ -494,11 +495,11 @@ void reportMesh(const MeshFigures& figures, const Json& state, const InspectOpti
   json["mesh"] = meshJson(figures.nodes, figures.elements, figures.volume);
   json["mesh"].update(setsJson(figures));
   json["mass"] = figures.mass;
-  if (figures.body) json["body"] = figures.body->json();
+  json["body"] = figures.body.json();
   json["state"] = state;
   result.text = fmt::format("{}: {} nodes, {}\n  volume {:.10g} m3, mass {:.10g} kg\n", options.mesh.string(),
                             figures.nodes, elementCounts(figures.elements), figures.volume, figures.mass);
-  if (figures.body) result.text += fmt::format("  {}\n", figures.body->text());
+  result.text += fmt::format("  {}\n", figures.body.text());
   result.text += setsText(figures);
   for (const std::string& note : figures.notes) result.text += fmt::format("  note: {}\n", note);
   json["quality"] = qualityJson(figures.quality);

@@ -91,7 +91,7 @@ struct MeshFigures {
   ElementCounts elements;
   std::map<std::string, std::int64_t> nodeSets, elementSets;  // members
   double volume = 0, mass = 0;                                // m³, kg
-  std::optional<BodyFigures> body = {};
+  BodyFigures body;
   std::vector<QualitySummary> quality;
   std::vector<std::string> notes;
 };

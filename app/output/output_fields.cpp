@@ -222,7 +222,6 @@ constexpr OutputField inspection[] = {
     {"mesh.node_sets.*", "", "number of nodes of each named set", F::integer},
     {"mesh.element_sets.*", "", "number of elements of each named set", F::integer},
     {"mass", "kg", "of the body"},
-    {"body", "", "absent where several processes share the mesh", F::object, P::sometimes},
     {"body.size[]", "m", "along x, y and z, at rest"},
     {"body.wave_speed.slowest", "m/s", "of pressure waves at rest, over the materials"},
     {"body.wave_speed.fastest", "m/s", "of pressure waves at rest, over the materials"},

@@ -7,31 +7,16 @@
 
 #include <fmt/format.h>
 
+#include <ringwatch/base/markup.h>
+
 namespace ringwatch {
 
 static_assert(std::endian::native == std::endian::little, "browsers read typed arrays in the order of their machine");
 
 std::string htmlText(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        if (static_cast<unsigned char>(c) >= 0x20 || c == '\n' || c == '\t') result += c;
-    }
-  }
-  return result;
+  std::string shown(text);
+  std::erase_if(shown, [](char c) { return static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t'; });
+  return markupText(shown);
 }
 
 std::string scriptJson(const nlohmann::ordered_json& value) {

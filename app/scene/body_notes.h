@@ -10,8 +10,8 @@ namespace ringwatch {
 
 /// How large a body is and how fast waves cross it, at rest: numbers that a wrong unit makes absurd.
 struct BodyFigures {
-  Eigen::Vector3d size;     // m, along x, y, z
-  double slowest, fastest;  // m/s, pressure waves of its materials
+  Eigen::Vector3d size = Eigen::Vector3d::Zero();  // m, along x, y, z
+  double slowest = 0, fastest = 0;                 // m/s, pressure waves of its materials
   /// Time, s, in which the fastest wave runs along the longest side.
   double crossing() const { return size.maxCoeff() / fastest; }
   std::string text() const;

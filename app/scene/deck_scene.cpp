@@ -653,7 +653,7 @@ class DeckReader {
       inStep_ = true;
       if (steps_ == 1) {
         step_ = keyword_;
-        nonlinear_ = keyword_.has("NLGEOM") && inUpperCase(keyword_.value("NLGEOM")) != "NO";
+        nonlinear_ = isOn(keyword_, "NLGEOM");
       } else if (forRun()) {
         refuseHere(": a second step; a run has one");
       } else if (steps_ == 2) {
@@ -1006,12 +1006,15 @@ class DeckReader {
     return nonlinear_ ? "stvk" : "linear";
   }
 
+  static bool isOn(const DeckKeyword& keyword, const std::string& parameter) {
+    return keyword.has(parameter) && inUpperCase(keyword.value(parameter)) != "NO";
+  }
+
   void writeIntegrator() {
     Json& integrator = scene_.sections["integrator"] = Json{{"step", "auto"}, {"end", 1.0}};
     scene_.origins["integrator"] = file_.string();
     const bool isExplicit = dynamic_ && dynamic_->has("EXPLICIT"),
-               fixed = dynamic_ && ((dynamic_->has("DIRECT") && inUpperCase(dynamic_->value("DIRECT")) != "NO") ||
-                                    dynamic_->has("DIRECTUSERCONTROL"));
+               fixed = dynamic_ && (isOn(*dynamic_, "DIRECT") || dynamic_->has("DIRECTUSERCONTROL"));
     const std::string where = dynamic_ ? lines_.where(dynamic_->position) : file_.string();
     if (isExplicit && times_.size() > 2 && times_[2] > 0)
       note(

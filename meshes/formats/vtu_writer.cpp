@@ -4,6 +4,7 @@
 
 #include <ringwatch/base/atomic_file.h>
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/markup.h>
 #include <ringwatch/base/output_file.h>
 #include <ringwatch/meshes/formats/file_cursor.h>
 #include <ringwatch/meshes/formats/mesh_builder.h>
@@ -54,30 +55,6 @@ std::string frameNameOfSet(std::string name) {
   return name;
 }
 
-/// A text as the value of an attribute.
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
-
 }  // namespace
 
 void writePvd(const std::filesystem::path& path, std::span<const PvdEntry> entries) {
@@ -88,7 +65,7 @@ void writePvd(const std::filesystem::path& path, std::span<const PvdEntry> entri
     char time[40];
     text += "    <DataSet timestep=\"";
     text.append(time, std::to_chars(time, time + sizeof time, entry.time).ptr);
-    text += "\" part=\"0\" file=\"" + escaped(entry.file.generic_string()) + "\"/>\n";
+    text += "\" part=\"0\" file=\"" + markupText(entry.file.generic_string()) + "\"/>\n";
   }
   writeFileAtomically(path, text + "  </Collection>\n</VTKFile>\n");
 }
@@ -96,7 +73,7 @@ void writePvd(const std::filesystem::path& path, std::span<const PvdEntry> entri
 void writePvtu(const std::filesystem::path& path, const Mesh& mesh, std::span<const VtuField> pointFields,
                std::span<const VtuField> cellFields, std::span<const std::filesystem::path> pieces) {
   const auto array = [](std::string_view type, const std::string& name, int components) {
-    return joinText("      <PDataArray type=\"", type, "\" Name=\"", escaped(name), "\" NumberOfComponents=\"",
+    return joinText("      <PDataArray type=\"", type, "\" Name=\"", markupText(name), "\" NumberOfComponents=\"",
                     components, "\"/>\n");
   };
   const auto arrays = [&](std::span<const VtuField> fields) {
@@ -118,7 +95,7 @@ void writePvtu(const std::filesystem::path& path, const Mesh& mesh, std::span<co
       array("Int64", "originalElementId", 1) + "    </PCellData>\n    <PPoints>\n" + array("Float64", "Points", 3) +
       "    </PPoints>\n";
   for (const std::filesystem::path& piece : pieces)
-    text += "    <Piece Source=\"" + escaped(piece.generic_string()) + "\"/>\n";
+    text += "    <Piece Source=\"" + markupText(piece.generic_string()) + "\"/>\n";
   writeFileAtomically(path, text + "  </PUnstructuredGrid>\n</VTKFile>\n");
 }
 
