@@ -32,6 +32,7 @@ using Json = nlohmann::ordered_json;
 enum class DeckRule {
   mesh,         // read with the mesh
   harmless,     // no effect on the motion
+  other,        // done in another way, which every command tells
   output,       // asks for results
   taken,        // below
   takenInRun,   // likewise; at rest it does not matter
@@ -72,6 +73,9 @@ constexpr std::string_view ownEstimate = "the program's own estimate of the step
 constexpr std::string_view ofImplicit = "controls an implicit scheme, and the scheme here is explicit";
 constexpr std::string_view elsewhere = "takes values from elsewhere";
 constexpr std::string_view laterInTime = "moves the times of its amplitude";
+constexpr std::string_view hourglassHere =
+    "the hourglass control here is of stiffness, material.hourglass_stiffness, and viscosity, "
+    "material.hourglass_viscosity";
 
 /// Every keyword that is known. One that is not here is refused.
 constexpr DeckKeywordRule keywordRules[] = {
@@ -86,6 +90,7 @@ constexpr DeckKeywordRule keywordRules[] = {
     {"ENDASSEMBLY", DeckRule::mesh},
     {"INSTANCE", DeckRule::mesh},
     {"ENDINSTANCE", DeckRule::mesh},
+    {"END", DeckRule::mesh},
     {"ORIENTATION", DeckRule::harmless},
     {"TIMEPOINTS", DeckRule::harmless},
     {"CONTROLS", DeckRule::harmless},
@@ -114,6 +119,8 @@ constexpr DeckKeywordRule keywordRules[] = {
     {"HYPERELASTIC", DeckRule::taken},
     {"DENSITY", DeckRule::taken},
     {"DAMPING", DeckRule::taken},
+    {"BULKVISCOSITY", DeckRule::taken},
+    {"SECTIONCONTROLS", DeckRule::taken},
     {"SOLIDSECTION", DeckRule::taken},
     {"BOUNDARY", DeckRule::taken},
     {"AMPLITUDE", DeckRule::takenInRun},
@@ -191,7 +198,6 @@ constexpr DeckKeywordRule keywordRules[] = {
     {"FIXEDMASSSCALING", DeckRule::refused, addsMass},
     {"VARIABLEMASSSCALING", DeckRule::refused, addsMass},
     {"MASSADJUST", DeckRule::refused, addsMass},
-    {"SECTIONCONTROLS", DeckRule::refused, "changes hourglass control, mass or viscosity of elements"},
     {"FIELD", DeckRule::refused, otherMaterials},
     {"PRESSURESTRESS", DeckRule::refused, notAtRest},
     {"GEOSTATIC", DeckRule::refused, notAtRest},
@@ -212,17 +218,26 @@ constexpr DeckParameterRule parameterRules[] = {
     {"ELASTIC", "DEPENDENCIES", "", DeckRule::refused, otherMaterials},
     {"HYPERELASTIC", "NEOHOOKE", "", DeckRule::taken},
     {"HYPERELASTIC", "MOONEY-RIVLIN", "", DeckRule::taken},
+    {"HYPERELASTIC", "YEOH", "", DeckRule::taken},
     {"HYPERELASTIC", "MODULI", "", DeckRule::taken},
     {"DENSITY", "DEPENDENCIES", "", DeckRule::refused, otherMaterials},
     {"DAMPING", "ALPHA", "", DeckRule::taken},
     {"DAMPING", "BETA", "", DeckRule::taken},
     {"DAMPING", "STRUCTURAL", "", DeckRule::refused, "is of a vibration of one frequency"},
     {"DAMPING", "COMPOSITE", "", DeckRule::refused, "is of modes"},
+    {"SECTIONCONTROLS", "NAME", "", DeckRule::taken},
+    {"SECTIONCONTROLS", "HOURGLASS", "", DeckRule::other, hourglassHere},
+    {"SECTIONCONTROLS", "KINEMATICSPLIT", "AVERAGESTRAIN", DeckRule::taken},
+    {"SECTIONCONTROLS", "SECONDORDERACCURACY", "", DeckRule::taken},  // of laws of rates
+    {"SECTIONCONTROLS", "DISTORTIONCONTROL", "NO", DeckRule::taken},
+    {"SECTIONCONTROLS", "DISTORTIONCONTROL", "", DeckRule::refused, "adds forces against inversion"},
+    {"SECTIONCONTROLS", "ELEMENTDELETION", "", DeckRule::taken},  // elastic laws do not fail
+    {"SECTIONCONTROLS", "MAXDEGRADATION", "", DeckRule::taken},
     {"SOLIDSECTION", "ELSET", "", DeckRule::taken},
     {"SOLIDSECTION", "MATERIAL", "", DeckRule::taken},
     {"SOLIDSECTION", "ORIENTATION", "", DeckRule::taken},  // the laws have no axes
     {"SOLIDSECTION", "NODALTHICKNESS", "", DeckRule::taken},
-    {"SOLIDSECTION", "CONTROLS", "", DeckRule::refused, "changes hourglass control, mass or viscosity of elements"},
+    {"SOLIDSECTION", "CONTROLS", "", DeckRule::taken},  // *SECTION CONTROLS says what of them is not
     {"SOLIDSECTION", "COMPOSITE", "", DeckRule::refused, "there are no layers"},
     {"BOUNDARY", "AMPLITUDE", "", DeckRule::taken},
     {"BOUNDARY", "TYPE", "DISPLACEMENT", DeckRule::taken},
@@ -238,6 +253,9 @@ constexpr DeckParameterRule parameterRules[] = {
     {"AMPLITUDE", "TIME", "TOTALTIME", DeckRule::taken},  // the only step begins at 0
     {"AMPLITUDE", "TIME", "STEPTIME", DeckRule::taken},
     {"AMPLITUDE", "DEFINITION", "TABULAR", DeckRule::taken},
+    {"AMPLITUDE", "DEFINITION", "SMOOTHSTEP", DeckRule::taken},
+    {"AMPLITUDE", "SMOOTH", "0", DeckRule::taken},
+    {"AMPLITUDE", "SMOOTH", "0.", DeckRule::taken},
     {"AMPLITUDE", "VALUE", "RELATIVE", DeckRule::taken},
     {"INITIALCONDITIONS", "TYPE", "VELOCITY", DeckRule::taken},
     {"INITIALCONDITIONS", "TYPE", "TEMPERATURE", DeckRule::temperature},
@@ -340,21 +358,38 @@ std::string takenParameters(std::string_view keyword) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-/// A solid element of a deck and the quadrature that CalculiX gives it (user's manual, "Element types").
+/// A solid element of a deck and the quadrature that CalculiX gives it (user's manual, "Element types"); of those that
+/// only Abaqus has, the nearest.
 struct DeckSolid {
   std::string_view type;
   std::string_view element;  // ours; "" where no element of ours is it
   std::string_view rule;
-  std::string_view why = {};
+  std::string_view why = {};  // where there is an element: what is told
 };
+constexpr std::string_view hybrid =
+    "its pressure has no unknowns of its own here; take care where Poisson's ratio is close to 0.5";
+constexpr std::string_view meanPressure = "its one pressure is that of the mean change of volume, which is the same";
+constexpr std::string_view onePoint =
+    "one point, with hourglass control of stiffness 0.05 unless material.hourglass_stiffness says otherwise";
 constexpr DeckSolid solids[] = {
     {"C3D4", "tet4", "gauss-1"},
+    {"C3D4H", "tet4", "gauss-1", meanPressure},
     {"C3D6", "wedge6", "fierz2013"},
+    {"C3D6H", "wedge6", "selective", meanPressure},
     {"C3D8", "hex8", "gauss-2x2x2"},
+    {"C3D8H", "hex8", "selective", meanPressure},
+    {"C3D8R", "hex8", "uniform-strain", onePoint},
+    {"C3D8RH", "hex8", "uniform-strain", onePoint},
     {"C3D10", "tet10", "keast-4"},
+    {"C3D10H", "tet10", "keast-4", hybrid},
+    {"C3D10M", "tet10", "keast-4",
+     "the modified tetrahedron of Abaqus, with a softer volume and masses of its own; the quadratic one stands for it, "
+     "whose critical step differs"},
+    {"C3D10MH", "tet10", "keast-4", "the modified hybrid tetrahedron of Abaqus; the quadratic one stands for it"},
     {"C3D20", "hex20", "gauss-3x3x3"},
+    {"C3D20H", "hex20", "gauss-3x3x3", hybrid},
     {"C3D20R", "hex20", "gauss-2x2x2"},
-    {"C3D8R", "", "", "its hourglass control is not ours"},
+    {"C3D20RH", "hex20", "gauss-2x2x2", hybrid},
     {"C3D8I", "", "", "its incompatible modes are not ours"},
     {"C3D10T", "", "", noElement},
     {"C3D15", "", "", noElement},
@@ -394,14 +429,27 @@ struct DeckInitial {
   double velocity;  // m/s
   std::size_t position;
 };
+/// A form of *HYPERELASTIC, whose energy is that of the law: with the constants behind its numbers D1, D2, …, of
+/// volume.
+struct DeckRubber {
+  std::string_view parameter, model;
+  std::vector<std::string_view> constants;
+  std::size_t volumes;  // how many D
+};
+const DeckRubber rubbers[] = {
+    {"NEOHOOKE", "mooney-rivlin", {"c10"}, 1},
+    {"MOONEY-RIVLIN", "mooney-rivlin", {"c10", "c01"}, 1},
+    {"YEOH", "yeoh", {"c10", "c20", "c30"}, 3},
+};
 struct DeckMaterial {
   std::string name;
-  std::size_t position;
+  std::size_t position = 0;
   std::optional<std::pair<double, double>> elastic;  // Young's modulus (Pa), Poisson's ratio
+  const DeckRubber* form = nullptr;                  // of *HYPERELASTIC
+  Json rubber;                                       // its law and constants, null without
   std::optional<double> density;
   std::optional<std::pair<double, double>> damping;  // of mass (1/s) and stiffness (s)
-  std::size_t hyperelastic = 0, dampingAt = 0;       // positions of the keywords
-  bool mooneyRivlin = false;                         // else neo-Hooke
+  std::size_t dampingAt = 0;                         // position of the keyword
 };
 struct DeckSection {
   std::string elset, part, material;
@@ -410,6 +458,7 @@ struct DeckSection {
 struct DeckAmplitude {
   std::vector<double> times, values;
   std::size_t position;
+  bool smooth;  // SMOOTH STEP
 };
 
 class DeckReader {
@@ -461,7 +510,9 @@ class DeckReader {
     cload,
     dload,
     dsload,
-    surface
+    surface,
+    bulkViscosity,
+    sectionControls
   };
 
   bool forRun() const { return use_ == DeckUse::run; }
@@ -512,6 +563,9 @@ class DeckReader {
         return true;
       case DeckRule::takenInRun:
         if (!forRun()) leaveOut(keyword_);
+        return true;
+      case DeckRule::other:
+        note(fmt::format("{}: {}: {}", lines_.where(keyword_.position), what, why));
         return true;
       case DeckRule::harmless:
         if (!ofKeyword) {
@@ -592,6 +646,9 @@ class DeckReader {
     } else if (solid->element.empty()) {
       refuse(keyword_.position, fmt::format("*ELEMENT, TYPE={}: {}", type, solid->why));
     } else {
+      if (!solid->why.empty() && noted_.insert(type).second)
+        note(fmt::format("{}: *ELEMENT, TYPE={} is {} with {}: {}", lines_.where(keyword_.position), type,
+                         solid->element, solid->rule, solid->why));
       const auto [known, isNew] = rules_.try_emplace(std::string(solid->element), solid->rule);
       if (!isNew && known->second != solid->rule)
         refuse(keyword_.position, fmt::format("*ELEMENT, TYPE={}: a {} above has another quadrature; one is for all",
@@ -608,18 +665,16 @@ class DeckReader {
     if (ofMaterial && material == nullptr) return refuseHere(" stands before any *MATERIAL");
     if (name == "MATERIAL") {
       if (keyword_.value("NAME").empty()) return refuseHere(" needs a name, NAME=");
-      materials_.push_back({keyword_.value("NAME"), keyword_.position, {}, {}, {}});
+      materials_.emplace_back();
+      materials_.back().name = keyword_.value("NAME");
+      materials_.back().position = keyword_.position;
     } else if (name == "ELASTIC") {
       reading_ = Reading::elastic;
     } else if (name == "HYPERELASTIC") {
-      material->mooneyRivlin = keyword_.has("MOONEY-RIVLIN");
-      if (!material->mooneyRivlin && !keyword_.has("NEOHOOKE"))
-        return refuseHere(": only NEO HOOKE and MOONEY-RIVLIN with their D1 are taken at rest");
-      material->hyperelastic = keyword_.position;
-      if (forRun())
-        return refuseHere(
-            ", the energy of CalculiX, of strain without its volume part, is none of the laws here; give "
-            "a scene with the law that is meant");
+      const auto* form =
+          std::ranges::find_if(rubbers, [&](const DeckRubber& r) { return keyword_.has(std::string(r.parameter)); });
+      if (form == std::end(rubbers)) return refuseHere(": NEO HOOKE, MOONEY-RIVLIN and YEOH with their D1 are taken");
+      material->form = form;
       reading_ = Reading::hyperelastic;
     } else if (name == "DENSITY") {
       reading_ = Reading::density;
@@ -629,6 +684,13 @@ class DeckReader {
       };
       material->damping = {share("ALPHA"), share("BETA")};
       material->dampingAt = keyword_.position;
+    } else if (name == "BULKVISCOSITY") {
+      if (!ofFirstStep()) return;
+      scene_.sections["damping"]["bulk_viscosity"] = true;  // without numbers with those of Abaqus, which are ours
+      scene_.origins["damping"] = lines_.where(keyword_.position);
+      reading_ = Reading::bulkViscosity;
+    } else if (name == "SECTIONCONTROLS") {
+      reading_ = Reading::sectionControls;
     } else if (name == "SOLIDSECTION") {
       if (keyword_.value("ELSET").empty() || keyword_.value("MATERIAL").empty())
         return refuseHere(" needs ELSET= and MATERIAL=");
@@ -641,7 +703,11 @@ class DeckReader {
     } else if (name == "AMPLITUDE") {
       if (keyword_.value("NAME").empty()) return refuseHere(" needs a name, NAME=");
       amplitude_ = &amplitudes_[inUpperCase(keyword_.value("NAME"))];
-      *amplitude_ = {{}, {}, keyword_.position};
+      *amplitude_ = {
+          {},
+          {},
+          keyword_.position,
+          keyword_.has("DEFINITION") && withoutBlanks(inUpperCase(keyword_.value("DEFINITION"))) == "SMOOTHSTEP"};
       reading_ = Reading::amplitude;
     } else if (name == "INITIALCONDITIONS") {
       if (keyword_.value("TYPE").empty()) return refuseHere(" needs a type, TYPE=");
@@ -717,6 +783,10 @@ class DeckReader {
         return dload(words, line.position);
       case Reading::dsload:
         return dsload(words, line.position);
+      case Reading::bulkViscosity:
+        return bulkViscosity(words, line.position);
+      case Reading::sectionControls:
+        return sectionControls(words, line.position);
       case Reading::surface:
         if (words.size() > 1)
           if (const auto face = faceOf(words[1], 'S')) surface_->lines.push_back({std::string(words[0]), *face});
@@ -744,30 +814,75 @@ class DeckReader {
     materials_.back().elastic = {lines_.real(words[0], "Young's modulus", position),
                                  lines_.real(words[1], "Poisson's ratio", position)};
   }
-  /// At rest all that counts of a hyperelastic law are its moduli: μ = 2 (C10 + C01), K = 2/D1.
+  void bulkViscosity(const std::vector<std::string_view>& words, std::size_t position) {
+    Json& damping = scene_.sections["damping"];
+    static constexpr std::string_view keys[] = {"linear_bulk_viscosity", "quadratic_bulk_viscosity"};
+    for (std::size_t i = 0; i < std::min(words.size(), std::size(keys)); ++i)
+      if (!words[i].empty())
+        damping[std::string(keys[i])] = lines_.real(words[i], "a number of *BULK VISCOSITY", position);
+  }
+  /// Factors of stiffness for displacements, rotations and warping, then of the two bulk viscosities.
+  void sectionControls(const std::vector<std::string_view>& words, std::size_t position) {
+    static constexpr std::size_t ofViscosity = 3;
+    for (std::size_t i = 0; i < words.size(); ++i)
+      if (const double factor = words[i].empty() ? 1 : lines_.real(words[i], "a factor of *SECTION CONTROLS", position);
+          factor != 1 && i >= ofViscosity)
+        refuse(position, fmt::format("*SECTION CONTROLS: factor {} of bulk viscosity, which is of the whole body here; "
+                                     "give its numbers by *BULK VISCOSITY",
+                                     words[i]));
+      else if (factor != 1)
+        note(fmt::format("{}: *SECTION CONTROLS: factor {}: {}", lines_.where(position), words[i], hourglassHere));
+  }
   void hyperelastic(const std::vector<std::string_view>& words, std::size_t position) {
     if (!onlyOneLine(position)) return;
     DeckMaterial& material = materials_.back();
-    const std::size_t needed = material.mooneyRivlin ? 3 : 2;
-    if (words.size() < needed)
-      return refuse(
-          material.hyperelastic,
-          fmt::format("*HYPERELASTIC has {} numbers; it must have {}, the last of which is D1", words.size(), needed));
-    double mu = 0;
-    for (std::size_t i = 0; i + 1 < needed; ++i)
-      mu += 2 * lines_.real(words[i], "a constant of *HYPERELASTIC", position);
-    const double d1 = lines_.real(words[needed - 1], "D1 of *HYPERELASTIC", position);
-    if (!(d1 > 0) || !(mu > 0))
-      return refuse(material.hyperelastic, "*HYPERELASTIC: μ and D1 must be > 0; an incompressible body has no step");
-    const double bulk = 2 / d1;
-    material.elastic = {9 * bulk * mu / (3 * bulk + mu), (3 * bulk - 2 * mu) / (2 * (3 * bulk + mu))};
+    const DeckRubber& form = *material.form;
+    const std::size_t count = form.constants.size();
+    if (words.size() < count + 1)
+      return refuse(keyword_.position, fmt::format("*HYPERELASTIC has {} numbers; it must have {}, the last of which "
+                                                   "is D1",
+                                                   words.size(), count + 1));
+    const auto number = [&](std::size_t i) { return lines_.real(words[i], "a number of *HYPERELASTIC", position); };
+    material.rubber = Json{{"model", form.model}};
+    for (std::size_t i = 0; i < count; ++i) material.rubber[std::string(form.constants[i])] = number(i);
+    const double d1 = number(count);
+    if (!(d1 > 0)) refuse(keyword_.position, "*HYPERELASTIC: D1 must be > 0; an incompressible body has no step");
+    material.rubber["bulk"] = 2 / d1;
+    for (std::size_t i = 1; i < form.volumes && count + i < words.size(); ++i)
+      if (!words[count + i].empty() && number(count + i) != 0)
+        refuse(keyword_.position,
+               fmt::format("*HYPERELASTIC: D{} = {}: the law {} has D1 alone", i + 1, words[count + i], form.model));
   }
 
   /// A set by its name as the mesh has it, or "#12" for a node.
-  std::string selectionOf(std::string_view word) {
-    if (!word.empty() && std::isdigit(static_cast<unsigned char>(word.front()))) return "#" + std::string(word);
-    const auto known = nodeSets_.find(inUpperCase(word));
-    return known == nodeSets_.end() ? std::string(word) : known->second;
+  std::string selectionOf(std::string_view word, std::size_t position) {
+    if (const auto known = nodeSets_.find(inUpperCase(word)); known != nodeSets_.end()) return known->second;
+    if (isNumber(word)) return "#" + std::string(word);
+    const auto& [set, number] = inInstance(word, position);
+    if (number) return "#" + set;
+    const auto known = setNamed(mesh().nodeSets, set);
+    return known == mesh().nodeSets.end() ? std::string(word) : known->first;
+  }
+  static bool isNumber(std::string_view word) {
+    return !word.empty() && std::isdigit(static_cast<unsigned char>(word.front()));
+  }
+  /// What is left of "INSTANCE.SET" or "INSTANCE.12" in a deck of one instance, whose sets and numbers are those of its
+  /// part; of others the word. Whether it is such a number.
+  std::pair<std::string, bool> inInstance(std::string_view word, std::size_t position) const {
+    for (const auto& entry : instances_) {
+      const std::string prefix = entry.first + ".";
+      if (!inUpperCase(word).starts_with(inUpperCase(prefix))) continue;
+      const std::string_view rest = word.substr(prefix.size());
+      if (isNumber(rest) && instances_.size() > 1)
+        lines_.failAt(position, fmt::format("{}: a number in one of several instances; give a set", inQuotes(word)));
+      if (instances_.size() == 1) return {std::string(rest), isNumber(rest)};
+    }
+    return {std::string(word), false};
+  }
+  /// Sets are named in any case.
+  template <class Sets>
+  static typename Sets::const_iterator setNamed(const Sets& sets, std::string_view name) {
+    return std::ranges::find_if(sets, [&](const auto& set) { return inUpperCase(set.first) == inUpperCase(name); });
   }
   /// A degree of freedom; empty for one that a solid has not, which is refused unless it is a rotation.
   std::optional<int> componentOf(std::string_view word, std::size_t position) {
@@ -782,7 +897,7 @@ class DeckReader {
   void boundary(const std::vector<std::string_view>& words, std::size_t position) {
     if (words.size() < 2) lines_.failAt(position, "*BOUNDARY needs a node or set and a degree of freedom");
     DeckBoundary held;
-    held.selection = selectionOf(words[0]);
+    held.selection = selectionOf(words[0], position);
     held.position = position;
     static constexpr std::pair<std::string_view, std::string_view> named[] = {
         {"ENCASTRE", "xyz"}, {"PINNED", "xyz"}, {"XSYMM", "x"}, {"YSYMM", "y"}, {"ZSYMM", "z"}};
@@ -816,14 +931,15 @@ class DeckReader {
     if (words.size() < 3) lines_.failAt(position, "an initial velocity needs a node or set, 1, 2 or 3, and its value");
     const std::optional<int> component = componentOf(words[1], position);
     if (!component) return;
-    initials_.push_back({selectionOf(words[0]), *component, lines_.real(words[2], "the velocity", position), position});
+    initials_.push_back(
+        {selectionOf(words[0], position), *component, lines_.real(words[2], "the velocity", position), position});
   }
 
   void cload(const std::vector<std::string_view>& words, std::size_t position) {
     if (words.size() < 3) lines_.failAt(position, "*CLOAD needs a node or set, 1, 2 or 3, and a force");
     const std::optional<int> component = componentOf(words[1], position);
     if (!component) return refuse(position, "*CLOAD: a moment; a solid's nodes have forces");
-    DeckLoad load{selectionOf(words[0]), Eigen::Vector3d::Zero()};
+    DeckLoad load{selectionOf(words[0], position), Eigen::Vector3d::Zero()};
     load.value[*component] = lines_.real(words[2], "the force", position);
     load.amplitude = inUpperCase(keyword_.value("AMPLITUDE"));
     load.position = position;
@@ -850,7 +966,7 @@ class DeckReader {
     const Eigen::Vector3d direction(lines_.real(words[3], "the direction", position),
                                     lines_.real(words[4], "the direction", position),
                                     lines_.real(words[5], "the direction", position));
-    if (!ofAllElements(std::string(words[0])))
+    if (!words[0].empty() && elementsOf(std::string(words[0]), position).size() != mesh().elementCount())
       return refuse(position, fmt::format("*DLOAD, GRAV on {}: it is taken for all elements together only, since nodes "
                                           "are shared with the others",
                                           inQuotes(words[0])));
@@ -881,9 +997,10 @@ class DeckReader {
   }
   /// The elements of a set, or the one with that number.
   std::vector<ElementRef> elementsOf(const std::string& word, std::size_t position) {
-    if (!word.empty() && std::isdigit(static_cast<unsigned char>(word.front()))) {
-      const std::int64_t number = lines_.number(word, "the element", position);
-      if (!instances_.empty())
+    const std::string given = inInstance(word, position).first;
+    if (isNumber(given)) {
+      const std::int64_t number = lines_.number(given, "the element", position);
+      if (instances_.size() > 1)
         lines_.failAt(position, fmt::format("*{}: element {} of a deck of instances; give an element set",
                                             keyword_.name, number));
       for (std::size_t b = 0; b < mesh().blocks.size(); ++b)
@@ -891,8 +1008,7 @@ class DeckReader {
           if (mesh().blocks[b].id(e) == number) return {{static_cast<std::int32_t>(b), static_cast<std::int32_t>(e)}};
       lines_.failAt(position, fmt::format("*{}: the mesh has no element {}", keyword_.name, number));
     }
-    for (const auto& [name, elements] : mesh().elementSets)
-      if (inUpperCase(name) == inUpperCase(word)) return elements;
+    if (const auto set = setNamed(mesh().elementSets, given); set != mesh().elementSets.end()) return set->second;
     lines_.failAt(position, fmt::format("*{}: there is no element set {}", keyword_.name, inQuotes(word)));
   }
   /// A pressure on a face of elements.
@@ -930,13 +1046,6 @@ class DeckReader {
     surface->second.used = true;
     for (const DeckSurfaceLine& line : surface->second.lines) press(line.elements, line.face, words[2], position);
   }
-  bool ofAllElements(const std::string& elset) {
-    if (elset.empty()) return true;
-    for (const auto& [name, elements] : mesh().elementSets)
-      if (inUpperCase(name) == inUpperCase(elset)) return elements.size() == mesh().elementCount();
-    return false;
-  }
-
   /// Names of an element set of a part as the mesh has them: one for each instance.
   std::vector<std::string> elementSetsOf(const DeckSection& section) const {
     const std::string key = inUpperCase(section.elset);
@@ -957,32 +1066,45 @@ class DeckReader {
                       forRun() ? "" : "; give a law to take the mesh alone: --young, --poisson, --density"));
     Json list = Json::array();
     std::vector<std::string> origins;
-    const DeckMaterial* damped = nullptr;
-    for (const DeckSection& section : sections_) {
+    const auto materialOf = [&](const DeckSection& section) -> const DeckMaterial& {
       const auto material = std::ranges::find(materials_, section.material,
                                               [](const DeckMaterial& one) { return inUpperCase(one.name); });
       if (material == materials_.end())
         lines_.failAt(section.position,
                       fmt::format("*SOLID SECTION: there is no *MATERIAL {}", inQuotes(section.material)));
-      if (!material->elastic)
-        lines_.failAt(material->position, fmt::format("*MATERIAL {} has no *ELASTIC", inQuotes(material->name)));
+      if (!material->elastic && material->rubber.is_null())
+        lines_.failAt(material->position,
+                      fmt::format("*MATERIAL {} has no *ELASTIC and no *HYPERELASTIC", inQuotes(material->name)));
+      return *material;
+    };
+    // What all materials damp alike is of the body, which goes with more of the program.
+    const DeckMaterial& first = materialOf(sections_.front());
+    const bool alike =
+        std::ranges::all_of(sections_, [&](const DeckSection& s) { return materialOf(s).damping == first.damping; });
+    if (alike && first.damping) {
+      scene_.sections["damping"]["mass"] = first.damping->first;
+      scene_.sections["damping"]["stiffness"] = first.damping->second;
+      scene_.origins["damping"] = lines_.where(first.dampingAt);
+    }
+    for (const DeckSection& section : sections_) {
+      const DeckMaterial& material = materialOf(section);
       for (const std::string& set : elementSetsOf(section)) {
-        Json entry{{"model", modelOf(*material)},
-                   {"young", material->elastic->first},
-                   {"poisson", material->elastic->second},
-                   {"set", set}};
-        if (material->density) entry["density"] = *material->density;
+        Json entry = material.elastic ? Json{{"model", nonlinear_ ? "stvk" : "linear"},
+                                             {"young", material.elastic->first},
+                                             {"poisson", material.elastic->second}}
+                                      : material.rubber;
+        entry["set"] = set;
+        if (material.density) entry["density"] = *material.density;
+        if (!alike && material.damping) {
+          entry["mass_damping"] = material.damping->first;
+          if (material.damping->second != 0) entry["stiffness_damping"] = material.damping->second;
+        }
         list.push_back(std::move(entry));
-        origins.push_back(lines_.where(material->position));
+        origins.push_back(lines_.where(material.position));
       }
-      if (material->damping) damped = &*material;
     }
-    if (damped != nullptr) {
-      if (sections_.size() > 1)
-        lines_.failAt(damped->dampingAt, "*DAMPING: it is of the whole body here, but there are several sections");
-      scene_.sections["damping"] = Json{{"mass", damped->damping->first}, {"stiffness", damped->damping->second}};
-      scene_.origins["damping"] = lines_.where(damped->dampingAt);
-    }
+    if (list.empty())
+      lines_.failAt(sections_.front().position, "*SOLID SECTION: there is no *INSTANCE of the part that it is in");
     if (!rules_.empty()) {
       Json rules = Json::array();
       for (const auto& [element, rule] : rules_) rules.push_back(element + "=" + rule);
@@ -995,15 +1117,6 @@ class DeckReader {
     }
     scene_.sections["material"] = std::move(list);
     for (std::size_t i = 0; i < origins.size(); ++i) scene_.origins[fmt::format("material.{}", i)] = origins[i];
-  }
-  std::string modelOf(const DeckMaterial& material) {
-    if (material.hyperelastic > 0) {
-      if (noted_.insert(material.name).second)
-        note(fmt::format("{}: *HYPERELASTIC is taken by its moduli at rest, which is all that counts there",
-                         lines_.where(material.hyperelastic)));
-      return "linear";
-    }
-    return nonlinear_ ? "stvk" : "linear";
   }
 
   static bool isOn(const DeckKeyword& keyword, const std::string& parameter) {
@@ -1052,11 +1165,10 @@ class DeckReader {
                      nonlinear_ ? "with NLGEOM" : "without NLGEOM", nonlinear_ ? "stvk" : "linear"));
   }
 
-  /// A table of the scene for an amplitude, and the factor of one with a single point. The slopes with `derivative`.
+  /// Entries of a scene for an amplitude, or the factor of one with a single point.
   struct Table {
-    Json times = Json::array(), factors = Json::array();
+    Json entries = Json::object();
     double factor = 1;
-    bool any() const { return !times.empty(); }
   };
   const DeckAmplitude& amplitudeOf(const std::string& name, std::size_t position) const {
     const auto found = amplitudes_.find(name);
@@ -1066,56 +1178,26 @@ class DeckReader {
   }
   bool rampsLoads() const { return inUpperCase(step_.value("AMPLITUDE")) == "RAMP"; }
 
-  Table loadTable(const std::string& amplitude, std::size_t position) const {
-    Table table;
+  Table tableOf(const std::string& amplitude, std::size_t position) const {
     if (amplitude.empty()) {
-      if (!rampsLoads()) return table;  // at once, as in every *DYNAMIC step
-      table.times = {0.0, times_[1]};
-      table.factors = {0.0, 1.0};
-      return table;
+      if (!rampsLoads()) return {};  // at once, as in every *DYNAMIC step
+      return {Json{{"times", {0.0, times_[1]}}, {"factors", {0.0, 1.0}}}};
     }
     const DeckAmplitude& points = amplitudeOf(amplitude, position);
-    if (points.times.size() == 1) {
-      table.factor = points.values[0];
-      return table;
-    }
-    table.times = points.times;
-    table.factors = points.values;
+    if (points.times.size() == 1) return {Json::object(), points.values[0]};
+    Table table{Json{{"times", points.times}, {"factors", points.values}}};
+    if (points.smooth) table.entries["ramp"] = "quintic";
     return table;
   }
-  /// Of a displacement that is value × amplitude: the factors of its velocity, constant between two times.
-  Table velocityTable(const DeckBoundary& held) const {
-    std::vector<double> times{0, times_[1]}, values{0, 1};
-    std::size_t position = held.position;
-    if (!held.amplitude.empty()) {
-      const DeckAmplitude& points = amplitudeOf(held.amplitude, held.position);
-      times = points.times;
-      values = points.values;
-      position = points.position;
-    } else if (!rampsLoads()) {
+  /// Of a displacement, which begins at 0.
+  Table displacementTable(const DeckBoundary& held) const {
+    if (held.amplitude.empty() && !rampsLoads())
       lines_.failAt(held.position, "*BOUNDARY: the nodes would jump to their place at once; give an AMPLITUDE from 0");
-    }
-    if (times.size() < 2 || values[0] != 0)
-      lines_.failAt(position,
+    Table table = tableOf(held.amplitude, held.position);
+    if (table.entries.empty() || table.entries["factors"][0] != 0)
+      lines_.failAt(amplitudeOf(held.amplitude, held.position).position,
                     "*AMPLITUDE of a displacement must have two points and more and begin with 0, or the "
                     "nodes would jump to their place at once");
-    Table table;
-    if (times.size() == 2 && times[0] <= 0 && times[1] >= times_[1]) {
-      table.factor = (values[1] - values[0]) / (times[1] - times[0]);
-      return table;
-    }
-    if (times[0] > 0) {
-      table.times.push_back(0.0);
-      table.factors.push_back(0.0);
-    }
-    for (std::size_t i = 0; i < times.size(); ++i) {
-      table.times.push_back(times[i]);
-      const bool last = i + 1 == times.size();
-      if (!last && !(times[i + 1] > times[i]))
-        lines_.failAt(position, fmt::format("*AMPLITUDE: the times must increase, but {} s follows {} s", times[i + 1],
-                                            times[i]));
-      table.factors.push_back(last ? 0.0 : (values[i + 1] - values[i]) / (times[i + 1] - times[i]));
-    }
     return table;
   }
 
@@ -1145,15 +1227,12 @@ class DeckReader {
         addEntry("fix", held.selection, {{"components", held.components}}, held.position);
         continue;
       }
-      Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
-      for (const char c : held.components) velocity[c - 'x'] = held.value;
-      const Table table = held.velocity ? loadTable(held.amplitude, held.position) : velocityTable(held);
-      Json entry{{"components", held.components}, {"velocity", listOf(table.factor * velocity)}};
-      if (table.any()) {
-        entry["times"] = table.times;
-        entry["factors"] = table.factors;
-        if (!held.velocity) entry["ramp"] = "hold";
-      }
+      Eigen::Vector3d value = Eigen::Vector3d::Zero();
+      for (const char c : held.components) value[c - 'x'] = held.value;
+      const Table table = held.velocity ? tableOf(held.amplitude, held.position) : displacementTable(held);
+      Json entry{{"components", held.components},
+                 {held.velocity ? "velocity" : "displacement", listOf(table.factor * value)}};
+      entry.update(table.entries);
       addEntry("move", held.selection, entry, held.position);
     }
   }
@@ -1178,12 +1257,9 @@ class DeckReader {
   }
   void writeLoads() {
     for (const DeckLoad& load : loads_) {
-      const Table table = loadTable(load.amplitude, load.position);
+      const Table table = tableOf(load.amplitude, load.position);
       Json entry{{load.acceleration ? "acceleration" : "each", listOf(table.factor * load.value)}};
-      if (table.any()) {
-        entry["times"] = table.times;
-        entry["factors"] = table.factors;
-      }
+      entry.update(table.entries);
       addEntry("force", load.selection, entry, load.position);
     }
   }
@@ -1194,12 +1270,9 @@ class DeckReader {
           "{}: the pressure follows the surface; CalculiX keeps its first direction and area without NLGEOM",
           lines_.where(pressures_.front().position)));
     for (const DeckPressure& pressure : pressures_) {
-      const Table table = loadTable(pressure.amplitude, pressure.position);
+      const Table table = tableOf(pressure.amplitude, pressure.position);
       Json entry{{"pressure", table.factor * pressure.value}};
-      if (table.any()) {
-        entry["times"] = table.times;
-        entry["factors"] = table.factors;
-      }
+      entry.update(table.entries);
       for (const std::string& nodes : faces_->nodeSetsOf(pressure.faces)) {
         lastKey_.erase("pressure");  // sets of two entries stay apart
         addEntry("pressure", nodes, entry, pressure.position);

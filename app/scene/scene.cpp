@@ -447,7 +447,8 @@ Scene::Move moveOf(const SceneTable& section, Scene& scene) {
   if (!move.table)
     fail(origin, "move.displacement", "it needs a factor that begins at 0; give factor, or times and factors");
   if (move.table->jumps())
-    fail(section.at("ramp").origin, "move.ramp", "\"hold\" would make a displacement jump; must be linear or smooth");
+    fail(section.at("ramp").origin, "move.ramp",
+         "\"hold\" would make a displacement jump; must be linear, smooth or quintic");
   if (const double start = move.table->at(0); start != 0)
     fail(origin, "move.displacement",
          fmt::format("its factor is {} at t = 0, where nodes are at rest; it must be 0 there", start));

@@ -15,13 +15,46 @@ namespace ringwatch {
 namespace {
 
 /// How far a ramp has come at the share s of its time, and the integral of that over the share.
-double shape(Ramp ramp, double s) { return ramp == Ramp::linear ? s : ramp == Ramp::smooth ? s * s * (3 - 2 * s) : 0; }
-double shapeIntegral(Ramp ramp, double s) {
-  return ramp == Ramp::linear ? 0.5 * s * s : ramp == Ramp::smooth ? s * s * s * (1 - 0.5 * s) : 0;
+double shape(Ramp ramp, double s) {
+  switch (ramp) {
+    case Ramp::linear:
+      return s;
+    case Ramp::smooth:
+      return s * s * (3 - 2 * s);
+    case Ramp::quintic:
+      return s * s * s * (10 + s * (6 * s - 15));
+    case Ramp::hold:
+      return 0;
+  }
+  return 0;
 }
-
+double shapeIntegral(Ramp ramp, double s) {
+  switch (ramp) {
+    case Ramp::linear:
+      return 0.5 * s * s;
+    case Ramp::smooth:
+      return s * s * s * (1 - 0.5 * s);
+    case Ramp::quintic:
+      return s * s * s * s * (2.5 + s * (s - 3));
+    case Ramp::hold:
+      return 0;
+  }
+  return 0;
+}
 /// Its derivative.
-double shapeSlope(Ramp ramp, double s) { return ramp == Ramp::linear ? 1 : ramp == Ramp::smooth ? 6 * s * (1 - s) : 0; }
+double shapeSlope(Ramp ramp, double s) {
+  switch (ramp) {
+    case Ramp::linear:
+      return 1;
+    case Ramp::smooth:
+      return 6 * s * (1 - s);
+    case Ramp::quintic:
+      return 30 * s * s * (1 - s) * (1 - s);
+    case Ramp::hold:
+      return 0;
+  }
+  return 0;
+}
 
 /// Gauss-Legendre abscissas and weights on [-1, 1]: the roots of the Legendre polynomial by Newton's method.
 constexpr int gaussPoints = 10;

@@ -9,10 +9,11 @@
 namespace ringwatch {
 
 /// How a table goes from one of its points to the next.
-enum class Ramp { linear, smooth, hold };
+enum class Ramp { linear, smooth, quintic, hold };
 inline constexpr auto rampNames = nameTable<Ramp>({
     {Ramp::linear, "linear", "straight lines"},
     {Ramp::smooth, "smooth", "s²(3 - 2s), whose slope is zero at the points"},
+    {Ramp::quintic, "quintic", "s³(10 - 15s + 6s²), whose slope and curvature are zero at the points"},
     {Ramp::hold, "hold", "the factor stays until the next time"},
 });
 

@@ -1,6 +1,6 @@
 """CalculiX: its own test decks as scenes, its assembled matrices in our bracket, its results audited.
 
-usage: calculix_test.py decks|rules|matrices|steps|forces|audit RINGWATCH DECKS_OF_OURS
+usage: calculix_test.py decks|rules|matrices|steps|forces|rubber|audit RINGWATCH DECKS_OF_OURS
 """
 
 import collections
@@ -299,6 +299,33 @@ def forces():
         assert len(loads) > 12 and error < 2e-6, type_
 
 
+def rubber():
+    """What holds a corner of a brick of *HYPERELASTIC, all of whose nodes are moved by one gradient, is that of our run."""
+    gradient = [[0.3, 0.1, 0], [0, -0.1, 0.05], [0, 0, 0.1]]
+    corners = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)]
+    moves = [f"{n + 1}, {c + 1}, {c + 1}, {sum(row[k] * X[k] for k in range(3)):.12g}"
+             for n, X in enumerate(corners) for c, row in enumerate(gradient)]
+    # CalculiX divides by D2 and D3: a large number stands for no such terms.
+    for form, numbers, more in (("NEO HOOKE", "100., 0.02", ""), ("MOONEY-RIVLIN", "80., 20., 0.02", ""),
+                                ("YEOH", "100., -1., 0.1, 0.02", ", 1e20, 1e20")):
+        def deck(constants, procedure):
+            lines = mesh_lines("C3D8", corners, [range(8)])
+            lines[lines.index("*ELASTIC") : lines.index("*DENSITY")] = ["*HYPERELASTIC, " + form, constants]
+            lines += ["*AMPLITUDE, NAME=a", "0., 0., 2., 2.", "*STEP, NLGEOM, INC=1000", *procedure, "*BOUNDARY, AMPLITUDE=a", *moves]
+            return "\n".join(lines + ["*NODE PRINT, NSET=Nall", "RF", "*END STEP"]) + "\n"
+
+        (work / "r.inp").write_text(deck(numbers + more, ["*STATIC", "0.05, 1."]))
+        run_ccx("r")
+        theirs = [float(word) for word in (work / "r.dat").read_text().splitlines()[-8].split()[1:]]
+        (work / "o.inp").write_text(deck(numbers, ["*DYNAMIC, EXPLICIT, DIRECT", "0.01, 1.01"]))
+        ran = call("run", "o.inp", "--out", "o", "--set", "output.picture=false", "--set", "output.reactions=true")
+        assert ran.returncode == 0, ran
+        columns, *rows = [line.split(",") for line in (work / "o/probes.csv").read_text().splitlines()]
+        ours = [float(rows[-1][columns.index(f"fix.{i}.reaction_{c}_N")]) for i, c in enumerate("xyz")]
+        print(f"{form}: {theirs} N, ours {ours} N")
+        assert all(abs(a - b) < 1e-6 * abs(b) for a, b in zip(ours, theirs)), form  # of which they print seven digits
+
+
 def audit():
     """A bar that CalculiX pulls with the step that it chose at the start: it ends in NaN with exit status 0."""
     shutil.copy(here / "pulled_bar.inp", work)
@@ -321,5 +348,5 @@ def audit():
     assert first + 2 <= seen <= lost
 
 
-{"decks": decks, "rules": rules, "matrices": matrices, "steps": steps, "forces": forces, "audit": audit}[what]()
+{"decks": decks, "rules": rules, "matrices": matrices, "steps": steps, "forces": forces, "rubber": rubber, "audit": audit}[what]()
 shutil.rmtree(work)

@@ -1,0 +1,302 @@
+// Decks as Abaqus/Explicit's preprocessors write them: each is the same body and the same step as a scene of its mesh.
+#include <cmath>
+#include <string>
+
+#include <ringwatch/app/scene/time_table.h>
+
+#include "program.h"
+
+namespace ringwatch {
+namespace {
+
+using test::Json;
+using test::Outcome;
+using test::Program;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+/// A part of two cubes of 0.1 m side by side along x, of elements of a type, with a section, and its instance.
+std::string part(const std::string& type,
+                 const std::string& section = "*Solid Section, elset=All, material=Steel\n,\n") {
+  return R"(*Heading
+** Job name: bar Model name: Model-1
+*Preprint, echo=NO, model=NO, history=NO, contact=NO
+*Part, name=Bar
+*Node
+1, 0., 0., 0.
+2, 0.1, 0., 0.
+3, 0.1, 0.1, 0.
+4, 0., 0.1, 0.
+5, 0., 0., 0.1
+6, 0.1, 0., 0.1
+7, 0.1, 0.1, 0.1
+8, 0., 0.1, 0.1
+9, 0.2, 0., 0.
+10, 0.2, 0.1, 0.
+11, 0.2, 0., 0.1
+12, 0.2, 0.1, 0.1
+*Element, type=)" +
+         type + R"(
+1, 1, 2, 3, 4, 5, 6, 7, 8
+2, 2, 9, 10, 3, 6, 11, 12, 7
+*Nset, nset=Root
+1, 4, 5, 8
+*Nset, nset=Tip
+9, 10, 11, 12
+*Elset, elset=All, generate
+1, 2, 1
+*Elset, elset=First
+1,
+*Elset, elset=Second
+2,
+)" + section +
+         R"(*End Part
+*Assembly, name=Assembly
+*Instance, name=Bar-1, part=Bar
+*End Instance
+*Nset, nset=Fix, instance=Bar-1
+1, 4, 5, 8
+*End Assembly
+)";
+}
+std::string steel(const std::string& more = "") {
+  return "*Material, name=Steel\n*Density\n7850.,\n*Elastic\n2.1e11, 0.3\n" + more;
+}
+std::string step(const std::string& inside, const std::string& dynamic = "*Dynamic, Explicit\n, 1e-4\n",
+                 const std::string& before = "*Boundary\nFix, ENCASTRE\n") {
+  return before + "*Step, name=Step-1, nlgeom=YES\n" + dynamic + inside +
+         "*Restart, write, number interval=1, time marks=NO\n*Output, field, variable=PRESELECT\n*Output, history, "
+         "variable=PRESELECT\n*End Step\n";
+}
+constexpr const char *stvk = "[material]\nmodel = \"stvk\"\nyoung = 2.1e11\npoisson = 0.3\ndensity = 7850\n",
+                     *fixed = "[[fix]]\nset = \"Root\"\n";
+
+class ExplicitDecks : public Program {
+ protected:
+  /// Runs a deck and the scene of its mesh: masses, brackets and energies are the same.
+  void expectSame(const std::string& deck, const std::string& scene,
+                  const std::string& integrator = "step = \"auto\"\nend = 1e-4\n") {
+    folder_.write("deck.inp", deck);
+    folder_.write("scene.toml", "[mesh]\nfile = \"deck.inp\"\n[integrator]\n" + integrator + scene);
+    const Outcome ofDeck = call("run deck.inp --out d --set output.picture=false"),
+                  ofScene = call("run scene.toml --out s --set output.picture=false");
+    ASSERT_EQ(ofDeck.status, ofScene.status) << ofDeck.err << ofScene.err;
+    ASSERT_LE(ofDeck.status, 1) << ofDeck.err << ofScene.err;
+    out_ = ofDeck.out;
+    const Json one = json("d/summary.json"), other = json("s/summary.json");
+    EXPECT_NEAR(one["mass"].get<double>() / other["mass"].get<double>(), 1, 1e-12);
+    mass_ = one["mass"];
+    const Table rows = table("d/history.csv"), expected = table("s/history.csv");
+    ASSERT_EQ(rows.rows.size(), expected.rows.size());
+    for (const std::size_t row : {std::size_t{0}, rows.rows.size() - 1})
+      for (const char* column : {"h_s", "safe_s", "optimistic_s", "kinetic_J", "strain_J", "external_work_J"}) {
+        const double value = expected.number(row, column);
+        EXPECT_NEAR(rows.number(row, column), value, 1e-12 * std::abs(value)) << column;
+      }
+    // What inspect says of the deck is the first row of the run.
+    const Outcome inspected = call("inspect deck.inp --json -");
+    ASSERT_EQ(inspected.status, 0) << inspected.err;
+    EXPECT_NEAR(parse(inspected.out)["mass"].get<double>() / mass_, 1, 1e-12);
+  }
+  void refuse(const std::string& deck, const std::string& what, const std::string& command = "run deck.inp --out x") {
+    folder_.write("deck.inp", deck);
+    expectRefused(command, what);
+  }
+  double mass_ = 0;
+  std::string out_;
+};
+
+TEST_F(ExplicitDecks, TakeOnePointHexahedraAndBulkViscosity) {
+  const std::string rules = std::string(stvk) + "rules = [\"hex8=uniform-strain\"]\n" + fixed;
+  expectSame(part("C3D8R") + steel() + step("*Bulk Viscosity\n0.06, 1.2\n"),
+             rules + "[damping]\nbulk_viscosity = true\n");
+  EXPECT_NEAR(mass_, 15.7, 1e-13);
+  EXPECT_THAT(out_,
+              HasSubstr("deck.inp:18: *ELEMENT, TYPE=C3D8R is hex8 with uniform-strain: one point, with hourglass "
+                        "control"));
+  EXPECT_THAT(out_,
+              HasSubstr("left out, they change no motion: *HEADING (line 1), *PREPRINT (line 3), *RESTART (line "));
+  expectSame(part("C3D8RH") + steel() + step("*Bulk Viscosity\n, 0.\n"),
+             rules + "[damping]\nbulk_viscosity = true\nquadratic_bulk_viscosity = 0\n");
+  // b1 alone shortens the step of a cube, by about its own size.
+  const Json without = parse(call("inspect deck.inp --json - --global").out);
+  folder_.write("deck.inp", part("C3D8RH") + steel() + step("*Bulk Viscosity\n0., 0.\n"));
+  const Json plain = parse(call("inspect deck.inp --json - --global").out);
+  EXPECT_LT(without["critical_step"]["safe"].get<double>(), 0.97 * plain["critical_step"]["safe"].get<double>());
+}
+
+TEST_F(ExplicitDecks, SayWhatStandsForHybridAndModifiedElements) {
+  expectSame(part("C3D8H") + steel() + step(""), std::string(stvk) + "rules = [\"hex8=selective\"]\n" + fixed);
+  EXPECT_THAT(out_, HasSubstr("*ELEMENT, TYPE=C3D8H is hex8 with selective: its one pressure"));
+  // Middles of edges are numbered as VTK has them.
+  const std::string tetrahedron =
+      "*NODE\n1,0,0,0\n2,2,0,0\n3,0,2,0\n4,0,0,2\n5,1,0,0\n6,1,1,0\n7,0,1,0\n8,0,0,1\n9,1,0,1\n10,0,1,1\n*ELEMENT, "
+      "TYPE=TYPE_HERE, ELSET=All\n1,1,2,3,4,5,6,7,8,9,10\n*NSET, NSET=Root\n1,2,5\n*SOLID SECTION, ELSET=All, "
+      "MATERIAL=STEEL\n" +
+      steel();
+  const auto of = [&](const std::string& type) {
+    std::string text = tetrahedron;
+    text.replace(text.find("TYPE_HERE"), 9, type);
+    return text + "*BOUNDARY\nRoot, PINNED\n*STEP, NLGEOM\n*DYNAMIC, EXPLICIT\n, 1e-4\n*END STEP";
+  };
+  for (const auto& [type, told] : {std::pair("C3D10M", "the modified tetrahedron of Abaqus"),
+                                   {"C3D10MH", "the modified hybrid tetrahedron"},
+                                   {"C3D10H", "its pressure has no unknowns of its own here"}}) {
+    expectSame(of(type), std::string(stvk) + fixed);
+    EXPECT_NEAR(mass_, 7850 * 8.0 / 6, 1e-9);
+    EXPECT_THAT(out_,
+                HasSubstr(std::string("deck.inp:12: *ELEMENT, TYPE=") + type + " is tet10 with keast-4: " + told));
+    EXPECT_THAT(call("inspect deck.inp").out, HasSubstr(told));
+  }
+  refuse(part("C3D8I") + steel() + step(""), "TYPE=C3D8I: its incompatible modes are not ours");
+}
+
+TEST_F(ExplicitDecks, TellWhatOfSectionControlsIsOtherwise) {
+  const auto deck = [](const std::string& controls) {
+    return part("C3D8R", "*Solid Section, elset=All, controls=EC-1, material=Steel\n,\n") +
+           "*Section Controls, name=EC-1" + controls + "\n" + steel() + step("");
+  };
+  expectSame(deck(", hourglass=ENHANCED, second order accuracy=YES\n1., 1., 1., 1., 1."),
+             std::string(stvk) + "rules = [\"hex8=uniform-strain\"]\n" + fixed);
+  EXPECT_THAT(out_, HasSubstr("*SECTION CONTROLS, HOURGLASS=ENHANCED: the hourglass control here is of stiffness"));
+  EXPECT_THAT(call("inspect deck.inp").out, HasSubstr("HOURGLASS=ENHANCED: the hourglass control here"));
+  for (const std::string command : {"run deck.inp --out x", "inspect deck.inp"}) {
+    refuse(deck("\n, , , 2., 1."), "factor 2. of bulk viscosity, which is of the whole body here", command);
+    refuse(deck(", distortion control=YES"), "DISTORTIONCONTROL=YES: adds forces against inversion", command);
+    refuse(deck(", kinematic split=ORTHOGONAL"), "KINEMATICSPLIT=ORTHOGONAL is not taken", command);
+  }
+}
+
+TEST_F(ExplicitDecks, DampEachMaterialByItself) {
+  const std::string sections =
+      "*Solid Section, elset=First, material=Steel\n,\n*Solid Section, elset=Second, material=Light\n,\n";
+  const std::string light = "*Material, name=Light\n*Density\n2700.,\n*Elastic\n7e10, 0.3\n";
+  const auto scene = [](const std::string& first, const std::string& second) {
+    return "[[material]]\nset = \"First\"\nmodel = \"stvk\"\nyoung = 2.1e11\npoisson = 0.3\ndensity = 7850\n" + first +
+           "[[material]]\nset = \"Second\"\nmodel = \"stvk\"\nyoung = 7e10\npoisson = 0.3\ndensity = 2700\n" + second +
+           fixed;
+  };
+  const std::string loads = "*Cload\nBar-1.Tip, 1, -1e4\n", force = "[[force]]\nset = \"Tip\"\neach = [-1e4, 0, 0]\n";
+  expectSame(part("C3D8", sections) + steel("*Damping, alpha=100., beta=1e-6\n") + light + step(loads),
+             scene("mass_damping = 100\nstiffness_damping = 1e-6\n", "") + force);
+  EXPECT_NEAR(mass_, 7.85 + 2.7, 1e-13);
+  expectSame(part("C3D8", sections) + steel("*Damping, alpha=100.\n") + light + "*Damping, beta=2e-7\n" + step(loads),
+             scene("mass_damping = 100\n", "mass_damping = 0\nstiffness_damping = 2e-7\n") + force);
+  // What all have is that of the body.
+  expectSame(part("C3D8", sections) + steel("*Damping, alpha=100., beta=1e-6\n") + light +
+                 "*Damping, alpha=100., beta=1e-6\n" + step(loads + "*Bulk Viscosity\n"),
+             scene("", "") + force + "[damping]\nmass = 100\nstiffness = 1e-6\nbulk_viscosity = true\n");
+}
+
+// Sets and numbers with the name of the only instance and without are the same.
+TEST_F(ExplicitDecks, TakeNamesWithAnInstanceAndWithout) {
+  const std::string loads = "*Dload\n, GRAV, 9.81, 0., 0., -1.\n*Cload\n";
+  const std::string scene =
+      std::string(stvk) + fixed +
+      "[[force]]\nwhere = \"all\"\nacceleration = [0, 0, -9.81]\n[[force]]\nset = \"#12\"\neach = "
+      "[0, 500, 0]\n";
+  for (const std::string node : {"Bar-1.12", "BAR-1.12", "12"}) {
+    const std::string deck = part("C3D8") + steel() + step(loads + node + ", 2, 500.\n");
+    expectSame(deck, scene);
+    for (const std::string root : {"Bar-1.Root", "Root", "bar-1.root"}) {
+      std::string other = deck;
+      other.replace(other.find("Fix, ENCASTRE"), 3, root);
+      expectSame(other, scene);
+    }
+  }
+  const std::string surface = "*Surface, type=ELEMENT, name=Top\nBar-1.All, S2\n";
+  expectSame(part("C3D8") + surface + steel() + step("*Dsload\nTop, P, 1000.\n"),
+             std::string(stvk) + fixed + "[[pressure]]\nwhere = \"z > 0.0999\"\npressure = 1000\n");
+
+  std::string two = part("C3D8");
+  two.replace(two.find("*Nset, nset=Fix"), 0, "*Instance, name=Bar-2, part=Bar\n1., 0., 0.\n*End Instance\n");
+  refuse(two + steel() + step("*Cload\nBar-2.12, 1, 1.\n"),
+         "\"Bar-2.12\": a number in one of several instances; give a set");
+}
+
+// A free body has the velocity h a Σ f(n/100), n = 0 … 99, which is 49.5 h a, since f(s) + f(1 - s) = 1.
+TEST_F(ExplicitDecks, RampLoadsAndMotionsByASmoothStep) {
+  const std::string amplitude = "*Amplitude, name=Amp-1, definition=SMOOTH STEP\n0., 0., 1e-4, 1.\n";
+  const std::string ramp = "times = [0, 1e-4]\nfactors = [0, 1]\nramp = \"quintic\"\n";
+  const std::string fixing = "step = 1e-6\nend = 1.01e-4\n",
+                    dynamic = "*Dynamic, Explicit, direct user control\n1e-6, 1.01e-4\n";
+  expectSame(
+      part("C3D8") + amplitude + steel() + step("*Boundary, amplitude=Amp-1\nTip, 1, 1, 1e-4\n", dynamic),
+      std::string(stvk) + fixed + "[[move]]\nset = \"Tip\"\ncomponents = \"x\"\ndisplacement = [1e-4, 0, 0]\n" + ramp,
+      fixing);
+  EXPECT_THAT(out_, Not(HasSubstr("leaves the step to the program")));
+  const std::string flying =
+      part("C3D8") + amplitude + steel() + step("*Dload, amplitude=Amp-1\n, GRAV, 1e3, 1., 0., 0.\n", dynamic, "");
+  expectSame(flying, std::string(stvk) + "[[force]]\nwhere = \"all\"\nacceleration = [1e3, 0, 0]\n" + ramp, fixing);
+  const Table rows = table("d/history.csv");
+  const double speed = 49.5 * 1e-6 * 1e3;
+  EXPECT_NEAR(rows.number(rows.rows.size() - 1, "kinetic_J"), 0.5 * 15.7 * speed * speed, 1e-12);
+
+  const TimeTable table({1, 3}, {0, 2}, Ramp::quintic);
+  EXPECT_EQ(table.at(0.5), 0);
+  EXPECT_DOUBLE_EQ(table.at(1.5), 2 * 0.103515625);  // s³(10 - 15s + 6s²) at 1/4
+  EXPECT_DOUBLE_EQ(table.at(2), 1);
+  EXPECT_DOUBLE_EQ(table.slope(2), 30.0 / 16);
+  EXPECT_DOUBLE_EQ(table.mean(1, 1), 2 * 0.15625);  // ∫ over [0, 1/2], twice
+  EXPECT_DOUBLE_EQ(table.mean(1, 2), 1);
+  EXPECT_DOUBLE_EQ(table.mean(0, 4), (2 + 2) / 4.0);
+  refuse(part("C3D8") + "*Amplitude, name=A, definition=PERIODIC\n" + steel() + step(""),
+         "*AMPLITUDE, DEFINITION=PERIODIC is not taken");
+}
+
+// The energy of a gradient diag(2, 1, 1) in one of the cubes: W = C10 (Ī1 - 3) + C01 (Ī2 - 3) + (J - 1)²/D1.
+TEST_F(ExplicitDecks, RunRubber) {
+  const auto deck = [](const std::string& rubber) {
+    return part("C3D8") +
+           "*Amplitude, name=Amp-1\n0., 0., 0.01, 1.\n*Material, name=Steel\n*Density\n1000.,\n*Hyperelastic, " +
+           rubber +
+           step("*Boundary, amplitude=Amp-1\nTip, 1, 1, 0.1\nTip, 2, 3\n",
+                "*Dynamic, Explicit, direct user control\n1e-4, 1.01e-2\n",
+                "*Boundary\nBar-1.2, PINNED\n3, PINNED\n6, PINNED\n7, PINNED\n");
+  };
+  const double J = 2, I1 = (4 + 2) / std::cbrt(J * J), I2 = (8 + 1) / std::cbrt(J * J * J * J), d1 = 1e-6;
+  const auto energy = [&](double c10, double c01, double c20, double c30) {
+    const double i = I1 - 3;
+    return 1e-3 * (c10 * i + c01 * (I2 - 3) + c20 * i * i + c30 * i * i * i + (J - 1) * (J - 1) / d1);
+  };
+  const auto expectEnergy = [&](const std::string& rubber, const std::string& law, double expected) {
+    expectSame(deck(rubber),
+               "[material]\ndensity = 1000\n" + law +
+                   "bulk = 2e6\n"
+                   "[[fix]]\nset = \"#2,3,6,7\"\n[[fix]]\nset = \"Tip\"\ncomponents = \"yz\"\n[[move]]\nset = "
+                   "\"Tip\"\ncomponents = \"x\"\ndisplacement = [0.1, 0, 0]\ntimes = [0, 0.01]\nfactors = [0, "
+                   "1]\n",
+               "step = 1e-4\nend = 1.01e-2\n");
+    const Table rows = table("d/history.csv");
+    EXPECT_NEAR(rows.number(rows.rows.size() - 1, "strain_J"), expected, 1e-9 * expected);
+  };
+  expectEnergy("neo hooke\n1e5, 1e-6\n", "model = \"mooney-rivlin\"\nc10 = 1e5\n", energy(1e5, 0, 0, 0));
+  expectEnergy("mooney-rivlin\n8e4, 2e4, 1e-6\n", "model = \"mooney-rivlin\"\nc10 = 8e4\nc01 = 2e4\n",
+               energy(8e4, 2e4, 0, 0));
+  expectEnergy("yeoh\n1e5, -1e3, 100., 1e-6, 0., 0.\n", "model = \"yeoh\"\nc10 = 1e5\nc20 = -1e3\nc30 = 100\n",
+               energy(1e5, 0, -1e3, 100));
+  for (const std::string command : {"run deck.inp --out x", "inspect deck.inp"}) {
+    refuse(deck("ogden\n1., 2., 3.\n"), "*HYPERELASTIC, OGDEN is not taken; NEOHOOKE, MOONEY-RIVLIN, YEOH", command);
+    refuse(deck("neo hooke\n1e5\n"), "*HYPERELASTIC has 1 numbers; it must have 2, the last of which is D1", command);
+    refuse(deck("neo hooke\n1e5, 0.\n"), "*HYPERELASTIC: D1 must be > 0", command);
+    refuse(deck("yeoh\n1e5, 0., 0., 1e-6, 1e-6\n"), "*HYPERELASTIC: D2 = 1e-6: the law yeoh has D1 alone", command);
+  }
+}
+
+// The step that a deck fixes is held, and is found unstable where it is.
+TEST_F(ExplicitDecks, JudgeAFixedStep) {
+  const std::string loads = "*Cload\nTip, 1, 1.\n";
+  const std::string scene = std::string(stvk) + fixed + "[[force]]\nset = \"Tip\"\neach = [1, 0, 0]\n";
+  expectSame(part("C3D8") + steel() + step(loads, "*Dynamic, Explicit, direct user control\n1e-5, 1e-4\n"), scene,
+             "step = 1e-5\nend = 1e-4\n");
+  EXPECT_EQ(json("d/summary.json")["verdict"], "certified");
+  expectSame(part("C3D8") + steel() + step(loads, "*Dynamic, Explicit, direct user control\n2e-5, 1e-4\n"), scene,
+             "step = 2e-5\nend = 1e-4\n");
+  EXPECT_EQ(json("d/summary.json")["verdict"], "violated");
+  expectSame(part("C3D8") + steel() + step(loads, "*Dynamic, Explicit, element by element, scale factor=0.5\n, 1e-4\n"),
+             scene, "step = \"auto\"\nend = 1e-4\nsafety = 0.5\n");
+  EXPECT_THAT(out_, HasSubstr("ELEMENTBYELEMENT: the program's own estimate"));
+}
+
+}  // namespace
+}  // namespace ringwatch
