@@ -81,6 +81,7 @@ constexpr std::string_view hourglassHere =
 constexpr DeckKeywordRule keywordRules[] = {
     {"HEADING", DeckRule::harmless},
     {"NODE", DeckRule::mesh},
+    {"SYSTEM", DeckRule::mesh},
     {"ELEMENT", DeckRule::mesh},
     {"NSET", DeckRule::mesh},
     {"ELSET", DeckRule::mesh},
@@ -178,7 +179,6 @@ constexpr DeckKeywordRule keywordRules[] = {
     {"CYCLICSYMMETRYMODEL", DeckRule::refused, noConstraint},
     {"PRE-TENSIONSECTION", DeckRule::refused, noConstraint},
     {"TRANSFORM", DeckRule::refused, "turns the axes of nodes"},
-    {"SYSTEM", DeckRule::refused, notWritten},
     {"NGEN", DeckRule::refused, notWritten},
     {"NFILL", DeckRule::refused, notWritten},
     {"NCOPY", DeckRule::refused, notWritten},
@@ -451,6 +451,11 @@ struct DeckMaterial {
   std::optional<std::pair<double, double>> damping;  // of mass (1/s) and stiffness (s)
   std::size_t dampingAt = 0;                         // position of the keyword
 };
+/// Lines of elements that are no solids.
+struct DeckStructure {
+  std::string type, elset;
+  std::size_t position, count = 0;
+};
 struct DeckSection {
   std::string elset, part, material;
   std::size_t position;
@@ -480,6 +485,7 @@ class DeckReader {
       refuse(expansion_->position, fmt::format("*EXPANSION with the temperatures of *{} ({}): heat strains the body, "
                                                "which changes its tangent and with it the critical step",
                                                temperature_->name, placeOf(temperature_->position)));
+    finishStructures();
     if (!refused_.empty()) refuseAll();
     scene_.sections["mesh"] = Json{{"file", file_.filename().string()}};
     scene_.origins["mesh"] = file_.string();
@@ -512,7 +518,8 @@ class DeckReader {
     dsload,
     surface,
     bulkViscosity,
-    sectionControls
+    sectionControls,
+    structure
   };
 
   bool forRun() const { return use_ == DeckUse::run; }
@@ -594,6 +601,7 @@ class DeckReader {
         }
         [[fallthrough]];
       case DeckRule::refused:
+        ofStructures_ = ofStructures_ || why == noStructure;
         refuse(keyword_.position, fmt::format("{}: {}", what, why));
         return false;
     }
@@ -640,9 +648,12 @@ class DeckReader {
 
   void elementType(const std::string& type) {
     const auto* solid = std::ranges::find(solids, type, &DeckSolid::type);
-    if (solid == std::end(solids)) {
-      refuse(keyword_.position,
-             fmt::format("*ELEMENT, TYPE={}: {}", shortened(type), type.starts_with("C3D") ? noElement : noStructure));
+    if (solid == std::end(solids) && !type.starts_with("C3D")) {
+      structures_.push_back({shortened(type), inUpperCase(keyword_.value("ELSET")), keyword_.position});
+      continued_ = false;
+      reading_ = Reading::structure;
+    } else if (solid == std::end(solids)) {
+      refuse(keyword_.position, fmt::format("*ELEMENT, TYPE={}: {}", shortened(type), noElement));
     } else if (solid->element.empty()) {
       refuse(keyword_.position, fmt::format("*ELEMENT, TYPE={}: {}", type, solid->why));
     } else {
@@ -654,6 +665,33 @@ class DeckReader {
         refuse(keyword_.position, fmt::format("*ELEMENT, TYPE={}: a {} above has another quadrature; one is for all",
                                               type, solid->element));
     }
+  }
+
+  /// Elements that are no solids are of the body where a section says so; preprocessors write the lines and faces of
+  /// their geometry without.
+  void finishStructures() {
+    std::string without;
+    for (const DeckStructure& one : structures_) {
+      const std::string what = fmt::format("{} of type {}", one.count, one.type);
+      // The mesh has such elements as the nodes of their sets.
+      const bool named =
+          ofStructures_ || std::ranges::any_of(sections_, [&](const DeckSection& section) {
+            return inUpperCase(section.elset) == one.elset ||
+                   (refused_.empty() && std::ranges::any_of(elementSetsOf(section), [&](const std::string& set) {
+                      return !nodeSets_.contains(inUpperCase(section.elset)) && mesh().nodeSets.contains(set);
+                    }));
+          });
+      if (named)
+        refuse(one.position, fmt::format("*ELEMENT, TYPE={}: {} element{}: {}", one.type, one.count,
+                                         one.count == 1 ? "" : "s", noStructure));
+      else
+        without += fmt::format("{}{} ({})", without.empty() ? "" : ", ", what, placeOf(one.position));
+    }
+    if (!without.empty())
+      note(
+          fmt::format("{}: elements that are no solids and that no section makes part of the body: {}; the sets of "
+                      "their nodes stay",
+                      file_.string(), without));
   }
 
   void take(const std::string& name) {
@@ -783,6 +821,10 @@ class DeckReader {
         return dload(words, line.position);
       case Reading::dsload:
         return dsload(words, line.position);
+      case Reading::structure:
+        if (!continued_) ++structures_.back().count;
+        continued_ = line.text.back() == ',';
+        return;
       case Reading::bulkViscosity:
         return bulkViscosity(words, line.position);
       case Reading::sectionControls:
@@ -1289,6 +1331,8 @@ class DeckReader {
   Reading reading_ = Reading::nothing;
   int dataLines_ = 0, steps_ = 0;
   bool inStep_ = false, nonlinear_ = false;
+  bool continued_ = false;     // an element goes on in the next line
+  bool ofStructures_ = false;  // a section is of elements that are no solids
   DeckKeyword step_;
   std::optional<DeckKeyword> dynamic_, temperature_, expansion_;
   std::vector<double> times_;                                   // of *DYNAMIC, s
@@ -1298,6 +1342,7 @@ class DeckReader {
   std::map<std::string, std::string> rules_;                    // element -> quadrature rule
   std::vector<DeckMaterial> materials_;
   std::vector<DeckSection> sections_;
+  std::vector<DeckStructure> structures_;
   std::vector<DeckBoundary> boundaries_;
   std::vector<DeckPressure> pressures_;
   std::set<std::int32_t> pressed_;

@@ -5,7 +5,6 @@
 #include <map>
 #include <optional>
 #include <unordered_map>
-#include <unordered_set>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -92,6 +91,7 @@ class Deck {
     if (instances_.empty() && !parts_.empty() && model_.nodes.empty())
       lines_.failAt(parts_.begin()->second.position,
                     "the deck has parts, but no *INSTANCE of one, so that there is no mesh");
+    requireNodes(model_);
     if (instances_.size() == 1) dropPrefix();
     for (const Node& node : model_.nodes) builder_.addNode(node.id, node.X[0], node.X[1], node.X[2], node.position);
     buildElements();
@@ -138,13 +138,19 @@ class Deck {
     }
   };
   using Sets = std::map<std::string, Set>;  // by the name in upper case
+  /// A node of a set that stands above all *NODE with its number.
+  struct Awaited {
+    std::int64_t id;
+    std::string set;
+    std::size_t position;
+  };
   /// A part, an instance of one, or the model: nodes and elements with numbers and sets of their own.
   struct Part {
     std::vector<Node> nodes;
     std::vector<Element> elements;
-    std::unordered_map<std::int64_t, std::size_t> elementOfId;
-    std::unordered_set<std::int64_t> nodeIds;
+    std::unordered_map<std::int64_t, std::size_t> elementOfId, nodeOfId;
     Sets nodeSets, elementSets;
+    std::vector<Awaited> awaited;
     std::size_t position = 0;
   };
   struct Instance {
@@ -152,7 +158,7 @@ class Deck {
     std::int64_t offset = 0;                     // of its numbers in the model
     std::vector<std::vector<double>> placement;  // translation; two points on an axis and an angle in degrees
   };
-  enum class Reading { nothing, nodes, elements, nodeSet, elementSet, placement };
+  enum class Reading { nothing, nodes, elements, nodeSet, elementSet, placement, system };
 
   void begin(const DeckLine& first) {
     finishData();
@@ -185,10 +191,15 @@ class Deck {
       if (!isNew) refuse("has the name of a part above, " + detail::quoted(keyword_.value("NAME")));
       made->second.position = first.position;
       current_ = &made->second;
+      axes_ = Eigen::Affine3d::Identity();
     } else if (name == "INSTANCE") {
       beginInstance();
-    } else if (name == "SYSTEM" || name == "NGEN" || name == "NFILL" || name == "NCOPY" || name == "ELGEN" ||
-               name == "ELCOPY" || name == "NMAP") {
+    } else if (name == "SYSTEM") {
+      axes_ = Eigen::Affine3d::Identity();
+      systemNumbers_.clear();
+      reading_ = Reading::system;
+    } else if (name == "NGEN" || name == "NFILL" || name == "NCOPY" || name == "ELGEN" || name == "ELCOPY" ||
+               name == "NMAP") {
       refuse("makes or moves nodes or elements and is not supported; write them out with *NODE and *ELEMENT");
     } else if (name != "HEADING" && !name.starts_with("END") && name != "ASSEMBLY") {
       ++skipped_["*" + name];
@@ -215,6 +226,7 @@ class Deck {
         while (!open_.empty() && open_.back().name != block) open_.pop_back();
         if (!open_.empty()) open_.pop_back();
         current_ = nullptr;
+        axes_ = Eigen::Affine3d::Identity();
       }
     }
   }
@@ -270,8 +282,9 @@ class Deck {
           Eigen::Translation3d(a) * Eigen::AngleAxisd(degree * r[6], axis.normalized()) * Eigen::Translation3d(-a);
       moved = turned * moved;
     }
+    requireNodes(placed_);
     std::int64_t largest = 0;
-    for (const std::int64_t id : model_.nodeIds) largest = std::max(largest, id);
+    for (const auto& entry : model_.nodeOfId) largest = std::max(largest, entry.first);
     for (const auto& entry : model_.elementOfId) largest = std::max(largest, entry.first);
     if (largest > 0) {
       constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max() / 20;
@@ -282,9 +295,9 @@ class Deck {
     spend(placed_.nodes.size() + placed_.elements.size(), instance.name, keyword_.position);
     const bool still = instance.placement.empty();
     for (const Node& node : placed_.nodes) {
+      model_.nodeOfId.emplace(shifted(node.id, offset), model_.nodes.size());
       model_.nodes.push_back(
           {shifted(node.id, offset), still ? node.X : Eigen::Vector3d(moved * node.X), node.position});
-      model_.nodeIds.insert(node.id + offset);
     }
     for (Element& element : placed_.elements) {
       element.id = shifted(element.id, offset);
@@ -345,6 +358,9 @@ class Deck {
       case Reading::placement:
         placementLine(line);
         break;
+      case Reading::system:
+        systemLine(line);
+        break;
       case Reading::nodes:
         node(line);
         break;
@@ -359,8 +375,8 @@ class Deck {
         break;
     }
     if (!line.ended)
-      lines_.failAt(line.position,
-                    joinText("the last line, of *", keyword_.name, ", has no line end; is the file cut short?"));
+      endless_.push_back(joinText(lines_.where(line.position), ": the last line, of *", keyword_.name,
+                                  ", has no line end; it is taken as whole"));
   }
 
   void node(const DeckLine& line) {
@@ -373,8 +389,12 @@ class Deck {
     for (std::size_t k = 0; k < 3 && k + 1 < words.size(); ++k)
       if (!words[k + 1].empty())
         X[k] = lines_.real(words[k + 1], joinText("coordinate ", "xyz"[k], " of node ", id), line.position);
-    part().nodes.push_back({id, X, line.position});
-    part().nodeIds.insert(id);
+    X = axes_ * X;
+    const auto [known, isNew] = part().nodeOfId.try_emplace(id, part().nodes.size());
+    if (isNew)
+      part().nodes.push_back({id, X, line.position});
+    else if (part().nodes[known->second].X != X)
+      lines_.failAt(line.position, joinText("node ", id, " is defined a second time, at another place"));
     if (keyword_.has("NSET")) setOf(part().nodeSets, keyword_.value("NSET")).add(id);
   }
 
@@ -407,6 +427,10 @@ class Deck {
       lines_.failAt(element.position, joinText("element ", element.id, " (", element.type->name(), ") has ",
                                                element.nodes.size(), " nodes; it must have ", element.type->nodes));
     }
+    if (reading_ == Reading::system && !systemNumbers_.empty() && systemNumbers_.size() != ofOrigin &&
+        systemNumbers_.size() != ofAxes)
+      lines_.failAt(keyword_.position, joinText("*SYSTEM has ", systemNumbers_.size(),
+                                                " numbers; it must have 9, those of 3 points, or 3 of the origin"));
   }
 
   /// What only a deck that was cut short can end with. A cut at a line end between two elements of a flat deck leaves
@@ -452,10 +476,7 @@ class Deck {
       if (word.empty()) continue;
       if (std::isdigit(static_cast<unsigned char>(word.front()))) {
         const std::int64_t id = shifted(lines_.number(word, joinText("the number of a ", what), line.position), offset);
-        const bool known = what == "node" ? part().nodeIds.count(id) != 0 : part().elementOfId.count(id) != 0;
-        if (!known && what == "node")
-          lines_.failAt(line.position,
-                        joinText("set ", set.name, " holds node ", id, ", which no *NODE above defines"));
+        if (what == "node" && part().nodeOfId.count(id) == 0) part().awaited.push_back({id, set.name, line.position});
         set.add(id);
       } else {
         const auto other = sets.find(prefix + inUpperCase(word));
@@ -469,6 +490,28 @@ class Deck {
         if (set.ranges.size() > 2 * set.distinct + 1000) set.removeRepeated();
       }
     }
+  }
+
+  void requireNodes(const Part& part) const {
+    for (const Awaited& node : part.awaited)
+      if (part.nodeOfId.count(node.id) == 0)
+        lines_.failAt(node.position, joinText("set ", node.set, " holds node ", node.id, ", which no *NODE defines"));
+  }
+  /// Axes for the nodes that follow: of their origin, or also of a point on the first one and one in the plane of the
+  /// first two.
+  static constexpr std::size_t ofOrigin = 3, ofAxes = 9;  // numbers
+  void systemLine(const DeckLine& line) {
+    for (const std::string_view word : DeckLines::fields(line.text))
+      systemNumbers_.push_back(word.empty() ? 0 : lines_.real(word, "a number of *SYSTEM", line.position));
+    if (systemNumbers_.size() > ofAxes)
+      lines_.failAt(line.position, "*SYSTEM has more than 9 numbers; it must have those of 3 points, or of the origin");
+    const auto point = [&](Eigen::Index i) { return Eigen::Map<const Eigen::Vector3d>(&systemNumbers_[3 * i]); };
+    axes_ = Eigen::Affine3d::Identity();
+    axes_.translation() = point(0);
+    if (systemNumbers_.size() < ofAxes) return;
+    const Eigen::Vector3d x = point(1) - point(0), z = x.cross(point(2) - point(0));
+    if (!(z.norm() > 0)) lines_.failAt(line.position, "*SYSTEM: the three points lie on a line");
+    axes_.linear() << x.normalized(), z.cross(x).normalized(), z.normalized();
   }
 
   /// Counts entries that the file does not spell out one by one, so that a few lines cannot fill the memory.
@@ -534,7 +577,9 @@ class Deck {
     }
   }
   void addNodeSets() {
-    std::vector<std::int64_t> known(model_.nodeIds.begin(), model_.nodeIds.end());
+    std::vector<std::int64_t> known;
+    known.reserve(model_.nodes.size());
+    for (const Node& node : model_.nodes) known.push_back(node.id);
     std::sort(known.begin(), known.end());
     for (auto& entry : model_.nodeSets) {
       auto& set = entry.second;
@@ -543,6 +588,7 @@ class Deck {
   }
 
   void addNotes(Notes& notes) const {
+    notes.insert(notes.end(), endless_.begin(), endless_.end());
     std::string list;
     for (const auto& [name, count] : skipped_)
       list += (list.empty() ? "" : ", ") + name + (count > 1 ? joinText(" (", count, ")") : "");
@@ -576,7 +622,10 @@ class Deck {
   std::map<std::string, Part> parts_;
   Part* current_ = nullptr;  // what is read now belongs to it; nullptr: to the model
   std::map<std::string, Instance> instances_;
-  std::vector<std::string> order_;  // of the instances
+  std::vector<std::string> order_;                      // of the instances
+  Eigen::Affine3d axes_ = Eigen::Affine3d::Identity();  // of *SYSTEM
+  std::vector<double> systemNumbers_;
+  std::vector<std::string> endless_;  // notes
   std::uint64_t spent_ = 0;
   std::map<std::string, int> skipped_;
 };

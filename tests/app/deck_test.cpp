@@ -171,6 +171,14 @@ TEST_F(Decks, TellWhatIsLeftOut) {
   EXPECT_EQ(out_.find("skipped, only nodes"), std::string::npos) << out_;
 }
 
+// Lines and faces of the geometry, without a section, as preprocessors write them.
+TEST_F(Decks, LeaveOutElementsWithoutASection) {
+  run("*ELEMENT, TYPE=T3D2, ELSET=line\n101, 1, 2\n102, 2, 3\n*ELEMENT, TYPE=CPS4, ELSET=face\n201, 1, 5, 8, 4\n" +
+      std::string(soft) + step("*BOUNDARY\nface, 1, 3\n"));
+  EXPECT_THAT(out_, HasSubstr("elements that are no solids and that no section makes part of the body: 2 of type T3D2 "
+                              "(line 23), 1 of type CPS4 (line 26); the sets of their nodes stay"));
+}
+
 TEST_F(Decks, RefuseWhatWouldChangeTheMotion) {
   const std::string whole = std::string(soft) + step("");
   refuse(whole + "*CONTACT PAIR, INTERACTION=i\n*TIE, NAME=t\n",
@@ -180,7 +188,14 @@ TEST_F(Decks, RefuseWhatWouldChangeTheMotion) {
   refuse("*MATERIAL, NAME=m\n*ELASTIC, TYPE=ORTHO\n1,1,1\n", "deck.inp:24: *ELASTIC, TYPE=ORTHO: there is no such law");
   refuse("*MATERIAL, NAME=m\n*ELASTIC\n1e3, 0.3, 20.\n2e3, 0.3, 100.\n",
          "deck.inp:26: *ELASTIC: values that depend on temperature");
-  refuse("*ELEMENT, TYPE=S4\n7, 1, 2, 3, 4\n" + whole, "*ELEMENT, TYPE=S4: there are solid elements only");
+  const std::string shells = "*ELEMENT, TYPE=S4, ELSET=thin\n7, 1, 2, 3, 4\n8, 5, 6,\n7, 8\n";
+  refuse(shells + "*SHELL SECTION, ELSET=thin, MATERIAL=m\n0.1\n" + whole,
+         "deck.inp:27: *SHELL SECTION: there are solid elements only; and 1 more: deck.inp:23: *ELEMENT, TYPE=S4: 2 "
+         "elements: there are solid elements only");
+  const std::string trusses = "*ELEMENT, TYPE=T3D2\n7, 1, 2\n", bars = "*ELSET, ELSET=bars\n7\n";
+  for (const std::string elset : {"bars", "BARS"})
+    refuse(trusses + bars + whole + "*SOLID SECTION, ELSET=" + elset + ", MATERIAL=soft\n",
+           "deck.inp:23: *ELEMENT, TYPE=T3D2: 1 element: there are solid elements only");
   refuse("*ELEMENT, TYPE=C3D8R\n7, 1, 2, 3, 4, 5, 6, 7, 8\n" + whole,
          "TYPE=C3D8R: a hex8 above has another quadrature; one is for all");
   refuse(std::string(soft) + step("", "*STEP\n*STATIC\n"), "deck.inp:30: *STATIC: is no *DYNAMIC step");

@@ -189,9 +189,7 @@ TEST_F(InpTest, RefusesWhatIsCutShort) {
     EXPECT_EQ(found.find('\n'), std::string::npos);
   };
   const std::string whole = deck();
-  expectError(whole + "*NSET, NSET=a\n1, 2, 1", "30", "the last line, of *NSET, has no line end");
   expectError(whole + "*NODE\n1", "30", "a node has 1 entries");
-  expectError(whole + "*ELEMENT, TYPE=C3D4\n50, 1, 2, 3, 5", "30", "the last line, of *ELEMENT, has no line end");
   expectError(whole + "*NSET, NSET=a\n", "29", "the file ends after the line of *NSET");
   expectError(whole + "*ELSET, ELSET=a, GEN", "29", "the file ends after the line of *ELSET");
   expectError(whole + "*ELEMENT, TYPE=C3D", "29", "the file ends after the line of *ELEMENT");
@@ -208,6 +206,42 @@ TEST_F(InpTest, RefusesWhatIsCutShort) {
   read(stepped + "\n");
   read(whole + "*STEP\n*STATIC\n*ENDSTEP\n*STEP\n*END  STEP\n");
   read(whole + "*NSET, NSET=fromElements, ELSET=Bricks\n");
+}
+
+TEST_F(InpTest, TakesALastLineWithoutALineEndWithANote) {
+  const Mesh mesh = read(deck("*NSET, NSET=a\n1, 2, 12"));
+  EXPECT_THAT(mesh.nodeSets.at("a"), ElementsAre(0, 1, 11));
+  EXPECT_THAT(notes, ::testing::Contains(path.string() +
+                                         ":30: the last line, of *NSET, has no line end; it is taken as whole"));
+}
+
+// As preprocessors write them: sets above the nodes, and nodes again.
+TEST_F(InpTest, TakesSetsAboveTheirNodesAndNodesAgain) {
+  const Mesh mesh = read("*NSET, NSET=early\n1, 4\n" + deck("*NODE, NSET=again\n1, 0., 0., 0.\n3, 1., 1., 0.\n"));
+  EXPECT_EQ(mesh.nodeCount(), 12);
+  EXPECT_THAT(mesh.nodeSets.at("early"), ElementsAre(0, 3));
+  EXPECT_THAT(mesh.nodeSets.at("again"), ElementsAre(0, 2));
+  EXPECT_THAT(error("*NSET, NSET=early\n1, 99\n" + deck()),
+              HasSubstr(":2: set early holds node 99, which no *NODE defines"));
+  EXPECT_THAT(error(deck("*NODE\n1, 0., 0., 1e-9\n")),
+              HasSubstr(":30: node 1 is defined a second time, at another place"));
+}
+
+// The axes of *SYSTEM turn a unit cube by a right angle about z and move it: x' is y, y' is -x.
+TEST_F(InpTest, TakesNodesInAxesOfTheirOwn) {
+  const std::string cube =
+      "1,0,0,0\n2,1,0,0\n3,1,1,0\n4,0,1,0\n5,0,0,1\n6,1,0,1\n7,1,1,1\n8,0,1,1\n*ELEMENT, "
+      "TYPE=C3D8\n1,1,2,3,4,5,6,7,8\n";
+  const Mesh turned = read("*SYSTEM\n1., 0., 0., 1., 2., 0.\n0., 0., 0.\n*NODE\n" + cube);
+  EXPECT_NEAR(meshVolume(turned), 1, 1e-15);
+  EXPECT_LT((turned.X.col(1) - Eigen::Vector3d(1, 1, 0)).norm(), 1e-15);
+  EXPECT_LT((turned.X.col(3) - Eigen::Vector3d(0, 0, 0)).norm(), 1e-15);
+  EXPECT_LT((turned.X.col(4) - Eigen::Vector3d(1, 0, 1)).norm(), 1e-15);
+  // An empty one takes the axes of the model again.
+  EXPECT_EQ(read("*SYSTEM\n5., 0., 0.\n*NODE\n" + cube).X.col(0), Eigen::Vector3d(5, 0, 0));
+  EXPECT_EQ(read("*SYSTEM\n5., 0., 0.\n*SYSTEM\n*NODE\n" + cube).X.col(0), Eigen::Vector3d(0, 0, 0));
+  EXPECT_THAT(error("*SYSTEM\n1., 0., 0., 1., 2., 0.\n*NODE\n" + cube), HasSubstr(":1: *SYSTEM has 6 numbers"));
+  EXPECT_THAT(error("*SYSTEM\n0,0,0,1,0,0\n2,0,0\n*NODE\n" + cube), HasSubstr(":3: *SYSTEM: the three points lie"));
 }
 
 /// Writes files beside each other; the first name is the deck's.
@@ -256,8 +290,6 @@ TEST_F(InpFilesTest, NamesTheIncludedFileAndItsLine) {
   EXPECT_THAT(error(), HasSubstr(at("deck.inp", 3)));  // behind the file that was taken in, the deck's own lines
   write("nodes.inp", joinText(tetrahedron, "5, 0, x, 0\n"));
   EXPECT_THAT(error(), HasSubstr(at("nodes.inp", 6) + "coordinate y of node 5"));
-  write("nodes.inp", joinText(tetrahedron, "5, 0, 0, 0"));
-  EXPECT_THAT(error(), HasSubstr(at("nodes.inp", 6) + "the last line, of *NODE, has no line end"));
   write("nodes.inp", joinText(tetrahedron, "*INCLUDE, INPUT=nowhere.inp\n"));
   EXPECT_THAT(error(), HasSubstr(at("nodes.inp", 6) + "*INCLUDE takes in "));
 }
