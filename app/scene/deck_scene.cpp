@@ -65,6 +65,9 @@ constexpr std::string_view notWritten =
 constexpr std::string_view noTemperature = "there are no temperatures";
 constexpr std::string_view addsMass =
     "adds mass, which changes the step; handler.method = \"mass-scaling\" of a scene does that";
+constexpr std::string_view otherMass =
+    "gives mass to elements that do not need it; TYPE=BELOW MIN, or a FACTOR, is what there is";
+constexpr std::string_view massOfAll = "mass is added for the step of the whole body; leave the set out";
 constexpr std::string_view notAtRest =
     "changes the tangent and with it the critical step, and a body begins without stress here; leave it out, or give "
     "the state by its displacement: ringwatch inspect STATE.vtu --displacement FIELD";
@@ -121,6 +124,8 @@ constexpr DeckKeywordRule keywordRules[] = {
     {"DENSITY", DeckRule::taken},
     {"DAMPING", DeckRule::taken},
     {"BULKVISCOSITY", DeckRule::taken},
+    {"FIXEDMASSSCALING", DeckRule::taken},
+    {"VARIABLEMASSSCALING", DeckRule::taken},
     {"SECTIONCONTROLS", DeckRule::taken},
     {"SOLIDSECTION", DeckRule::taken},
     {"BOUNDARY", DeckRule::taken},
@@ -195,8 +200,6 @@ constexpr DeckKeywordRule keywordRules[] = {
     {"MASS", DeckRule::refused, noStructure},
     {"GAP", DeckRule::refused, noStructure},
     {"NONSTRUCTURALMASS", DeckRule::refused, addsMass},
-    {"FIXEDMASSSCALING", DeckRule::refused, addsMass},
-    {"VARIABLEMASSSCALING", DeckRule::refused, addsMass},
     {"MASSADJUST", DeckRule::refused, addsMass},
     {"FIELD", DeckRule::refused, otherMaterials},
     {"PRESSURESTRESS", DeckRule::refused, notAtRest},
@@ -225,6 +228,17 @@ constexpr DeckParameterRule parameterRules[] = {
     {"DAMPING", "BETA", "", DeckRule::taken},
     {"DAMPING", "STRUCTURAL", "", DeckRule::refused, "is of a vibration of one frequency"},
     {"DAMPING", "COMPOSITE", "", DeckRule::refused, "is of modes"},
+    {"FIXEDMASSSCALING", "FACTOR", "", DeckRule::taken},
+    {"FIXEDMASSSCALING", "ELSET", "", DeckRule::taken},
+    {"FIXEDMASSSCALING", "DT", "", DeckRule::taken},
+    {"FIXEDMASSSCALING", "TYPE", "BELOWMIN", DeckRule::taken},
+    {"FIXEDMASSSCALING", "TYPE", "", DeckRule::refused, otherMass},
+    {"VARIABLEMASSSCALING", "DT", "", DeckRule::taken},
+    {"VARIABLEMASSSCALING", "TYPE", "BELOWMIN", DeckRule::taken},
+    {"VARIABLEMASSSCALING", "TYPE", "", DeckRule::refused, otherMass},
+    {"VARIABLEMASSSCALING", "FREQUENCY", "", DeckRule::taken},  // masses stay, and steps are divided
+    {"VARIABLEMASSSCALING", "NUMBERINTERVAL", "", DeckRule::taken},
+    {"VARIABLEMASSSCALING", "ELSET", "", DeckRule::refused, massOfAll},
     {"SECTIONCONTROLS", "NAME", "", DeckRule::taken},
     {"SECTIONCONTROLS", "HOURGLASS", "", DeckRule::other, hourglassHere},
     {"SECTIONCONTROLS", "KINEMATICSPLIT", "AVERAGESTRAIN", DeckRule::taken},
@@ -459,6 +473,13 @@ struct DeckStructure {
 struct DeckSection {
   std::string elset, part, material;
   std::size_t position;
+};
+/// *FIXED MASS SCALING by a factor.
+struct DeckScaling {
+  std::string elset;  // "" for all
+  double factor;
+  std::size_t position;
+  bool used = false;
 };
 struct DeckAmplitude {
   std::vector<double> times, values;
@@ -727,6 +748,8 @@ class DeckReader {
       scene_.sections["damping"]["bulk_viscosity"] = true;  // without numbers with those of Abaqus, which are ours
       scene_.origins["damping"] = lines_.where(keyword_.position);
       reading_ = Reading::bulkViscosity;
+    } else if (name == "FIXEDMASSSCALING" || name == "VARIABLEMASSSCALING") {
+      if (ofFirstStep()) scaleMass();
     } else if (name == "SECTIONCONTROLS") {
       reading_ = Reading::sectionControls;
     } else if (name == "SOLIDSECTION") {
@@ -782,6 +805,26 @@ class DeckReader {
     } else {
       reading_ = name == "CLOAD" ? Reading::cload : name == "DLOAD" ? Reading::dload : Reading::dsload;
     }
+  }
+  void scaleMass() {
+    const auto number = [&](const char* key) { return lines_.real(keyword_.value(key), key, keyword_.position); };
+    if (keyword_.has("FACTOR")) scalings_.push_back({keyword_.value("ELSET"), number("FACTOR"), keyword_.position});
+    if (!keyword_.has("DT")) return;
+    if (keyword_.has("ELSET"))
+      return refuse(keyword_.position, fmt::format("*{}, DT and ELSET: {}", keyword_.name, massOfAll));
+    if (dynamic_ && fixesStep())
+      return refuse(keyword_.position, fmt::format("*{}, DT: the step is fixed; handler.method = \"mass-scaling\" of "
+                                                   "a scene adds the mass that it needs",
+                                                   keyword_.name));
+    if (!forRun())
+      return note(fmt::format("{}: *{}, DT: this is the body without the mass that a run adds",
+                              lines_.where(keyword_.position), keyword_.name));
+    scene_.sections["handler"] = Json{{"method", "mass-scaling"}, {"step", number("DT")}};
+    scene_.origins["handler"] = lines_.where(keyword_.position);
+    note(
+        fmt::format("{}: *{}, DT: mass is added where the proof of the whole body needs it, which is less than each "
+                    "element's own step asks for",
+                    lines_.where(keyword_.position), keyword_.name));
   }
   /// Before all steps, or in the first.
   bool ofFirstStep() const { return steps_ < 2; }
@@ -1136,7 +1179,7 @@ class DeckReader {
                                              {"poisson", material.elastic->second}}
                                       : material.rubber;
         entry["set"] = set;
-        if (material.density) entry["density"] = *material.density;
+        if (material.density) entry["density"] = *material.density * massFactor(set);
         if (!alike && material.damping) {
           entry["mass_damping"] = material.damping->first;
           if (material.damping->second != 0) entry["stiffness_damping"] = material.damping->second;
@@ -1145,6 +1188,10 @@ class DeckReader {
         origins.push_back(lines_.where(material.position));
       }
     }
+    for (const DeckScaling& scaling : scalings_)
+      if (!scaling.used)
+        lines_.failAt(scaling.position,
+                      fmt::format("*FIXED MASS SCALING: {} is the set of no *SOLID SECTION", inQuotes(scaling.elset)));
     if (list.empty())
       lines_.failAt(sections_.front().position, "*SOLID SECTION: there is no *INSTANCE of the part that it is in");
     if (!rules_.empty()) {
@@ -1161,15 +1208,28 @@ class DeckReader {
     for (std::size_t i = 0; i < origins.size(); ++i) scene_.origins[fmt::format("material.{}", i)] = origins[i];
   }
 
+  /// Of the elements of a section, by its set in the mesh: what was given last.
+  double massFactor(const std::string& set) {
+    double factor = 1;
+    for (DeckScaling& scaling : scalings_) {
+      const bool own = scaling.elset.empty() || inUpperCase(set) == inUpperCase(scaling.elset) ||
+                       inUpperCase(set) == inUpperCase(inInstance(scaling.elset, scaling.position).first);
+      if (own) factor = scaling.factor;
+      scaling.used = scaling.used || own;
+    }
+    return factor;
+  }
+
   static bool isOn(const DeckKeyword& keyword, const std::string& parameter) {
     return keyword.has(parameter) && inUpperCase(keyword.value(parameter)) != "NO";
   }
 
+  bool fixesStep() const { return isOn(*dynamic_, "DIRECT") || dynamic_->has("DIRECTUSERCONTROL"); }
+
   void writeIntegrator() {
     Json& integrator = scene_.sections["integrator"] = Json{{"step", "auto"}, {"end", 1.0}};
     scene_.origins["integrator"] = file_.string();
-    const bool isExplicit = dynamic_ && dynamic_->has("EXPLICIT"),
-               fixed = dynamic_ && (isOn(*dynamic_, "DIRECT") || dynamic_->has("DIRECTUSERCONTROL"));
+    const bool isExplicit = dynamic_ && dynamic_->has("EXPLICIT"), fixed = dynamic_ && fixesStep();
     const std::string where = dynamic_ ? lines_.where(dynamic_->position) : file_.string();
     if (isExplicit && times_.size() > 2 && times_[2] > 0)
       note(
@@ -1299,6 +1359,10 @@ class DeckReader {
   }
   void writeLoads() {
     for (const DeckLoad& load : loads_) {
+      if (load.acceleration && !scalings_.empty())
+        lines_.failAt(load.position, fmt::format("GRAV with *FIXED MASS SCALING, FACTOR ({}): weight is of the mass "
+                                                 "that is not scaled, and here of all; give the sum as *CLOAD",
+                                                 placeOf(scalings_.front().position)));
       const Table table = tableOf(load.amplitude, load.position);
       Json entry{{load.acceleration ? "acceleration" : "each", listOf(table.factor * load.value)}};
       entry.update(table.entries);
@@ -1343,6 +1407,7 @@ class DeckReader {
   std::vector<DeckMaterial> materials_;
   std::vector<DeckSection> sections_;
   std::vector<DeckStructure> structures_;
+  std::vector<DeckScaling> scalings_;
   std::vector<DeckBoundary> boundaries_;
   std::vector<DeckPressure> pressures_;
   std::set<std::int32_t> pressed_;

@@ -252,7 +252,7 @@ TEST_F(Decks, RefuseWhatWouldChangeTheTangent) {
   refuseAll("*INITIAL CONDITIONS\n", "*INITIAL CONDITIONS needs a type");
   refuseAll("*FIELD\nNall, 1.\n", "deck.inp:31: *FIELD: changes the tangent");
   refuseAll("*RESTART, READ, STEP=2\n", "deck.inp:31: *RESTART, READ: goes on with the state of another run");
-  refuseAll("*FIXED MASS SCALING, FACTOR=2\n", "deck.inp:31: *FIXED MASS SCALING: adds mass");
+  refuseAll("*NONSTRUCTURAL MASS, UNITS=TOTAL MASS\n", "deck.inp:31: *NONSTRUCTURAL MASS: adds mass");
   refuseAll("*MODEL CHANGE, REMOVE\nEall\n", "deck.inp:31: *MODEL CHANGE: takes elements out");
   refuseAll("*BOUNDARY, OP=NEW\nright, 1\n", "deck.inp:31: *BOUNDARY, OP=NEW: lets go of what is held above");
   refuseAll("*BOUNDARY, LOAD CASE=2\nright, 1\n", "deck.inp:31: *BOUNDARY, LOADCASE=2: is of complex values");
