@@ -128,6 +128,9 @@ constexpr DeckKeywordRule keywordRules[] = {
     {"VARIABLEMASSSCALING", DeckRule::taken},
     {"SECTIONCONTROLS", DeckRule::taken},
     {"SOLIDSECTION", DeckRule::taken},
+    {"MASS", DeckRule::taken},
+    {"SPRING", DeckRule::taken},
+    {"DASHPOT", DeckRule::taken},
     {"BOUNDARY", DeckRule::taken},
     {"AMPLITUDE", DeckRule::takenInRun},
     {"INITIALCONDITIONS", DeckRule::taken},
@@ -195,9 +198,6 @@ constexpr DeckKeywordRule keywordRules[] = {
     {"BEAMGENERALSECTION", DeckRule::refused, noStructure},
     {"MEMBRANESECTION", DeckRule::refused, noStructure},
     {"FLUIDSECTION", DeckRule::refused, noStructure},
-    {"SPRING", DeckRule::refused, noStructure},
-    {"DASHPOT", DeckRule::refused, noStructure},
-    {"MASS", DeckRule::refused, noStructure},
     {"GAP", DeckRule::refused, noStructure},
     {"NONSTRUCTURALMASS", DeckRule::refused, addsMass},
     {"MASSADJUST", DeckRule::refused, addsMass},
@@ -253,6 +253,11 @@ constexpr DeckParameterRule parameterRules[] = {
     {"SOLIDSECTION", "NODALTHICKNESS", "", DeckRule::taken},
     {"SOLIDSECTION", "CONTROLS", "", DeckRule::taken},  // *SECTION CONTROLS says what of them is not
     {"SOLIDSECTION", "COMPOSITE", "", DeckRule::refused, "there are no layers"},
+    {"MASS", "ELSET", "", DeckRule::taken},
+    {"SPRING", "ELSET", "", DeckRule::taken},
+    {"SPRING", "NONLINEAR", "", DeckRule::refused, "springs here are linear"},
+    {"DASHPOT", "ELSET", "", DeckRule::taken},
+    {"DASHPOT", "NONLINEAR", "", DeckRule::refused, "dashpots here are linear"},
     {"BOUNDARY", "AMPLITUDE", "", DeckRule::taken},
     {"BOUNDARY", "TYPE", "DISPLACEMENT", DeckRule::taken},
     {"BOUNDARY", "TYPE", "VELOCITY", DeckRule::taken},
@@ -465,6 +470,27 @@ struct DeckMaterial {
   std::optional<std::pair<double, double>> damping;  // of mass (1/s) and stiffness (s)
   std::size_t dampingAt = 0;                         // position of the keyword
 };
+/// An element of one or two nodes, whose numbers stand below another keyword.
+struct DeckLinkType {
+  std::string_view type, keyword;
+  std::size_t nodes;
+};
+constexpr DeckLinkType linkTypes[] = {{"MASS", "MASS", 1},
+                                      {"SPRING1", "SPRING", 1},
+                                      {"SPRINGA", "SPRING", 2},
+                                      {"DASHPOT1", "DASHPOT", 1},
+                                      {"DASHPOTA", "DASHPOT", 2}};
+struct DeckLink {
+  const DeckLinkType* type;
+  std::vector<std::string> nodes;
+  std::size_t position;
+};
+/// *MASS, *SPRING and *DASHPOT.
+struct DeckProperty {
+  std::string keyword, elset, part;
+  std::size_t position;
+  std::vector<std::string> numbers = {};
+};
 /// Lines of elements that are no solids.
 struct DeckStructure {
   std::string type, elset;
@@ -514,6 +540,7 @@ class DeckReader {
     writeIntegrator();
     writeBoundaries();
     writeInitials();
+    writeLinks();
     writeLoads();
     writePressures();
     for (const auto& [name, surface] : surfaces_)
@@ -540,7 +567,9 @@ class DeckReader {
     surface,
     bulkViscosity,
     sectionControls,
-    structure
+    structure,
+    link,
+    property
   };
 
   bool forRun() const { return use_ == DeckUse::run; }
@@ -668,6 +697,12 @@ class DeckReader {
   }
 
   void elementType(const std::string& type) {
+    if (const auto* link = std::ranges::find(linkTypes, type, &DeckLinkType::type); link != std::end(linkTypes)) {
+      links_.try_emplace(partKey(keyword_.value("ELSET")));
+      linkType_ = link;
+      reading_ = Reading::link;
+      return;
+    }
     const auto* solid = std::ranges::find(solids, type, &DeckSolid::type);
     if (solid == std::end(solids) && !type.starts_with("C3D")) {
       structures_.push_back({shortened(type), inUpperCase(keyword_.value("ELSET")), keyword_.position});
@@ -756,6 +791,10 @@ class DeckReader {
       if (keyword_.value("ELSET").empty() || keyword_.value("MATERIAL").empty())
         return refuseHere(" needs ELSET= and MATERIAL=");
       sections_.push_back({keyword_.value("ELSET"), part_, inUpperCase(keyword_.value("MATERIAL")), keyword_.position});
+    } else if (name == "MASS" || name == "SPRING" || name == "DASHPOT") {
+      if (keyword_.value("ELSET").empty()) return refuseHere(" needs ELSET=");
+      properties_.push_back({name, keyword_.value("ELSET"), part_, keyword_.position});
+      reading_ = Reading::property;
     } else if (name == "BOUNDARY") {
       if (!ofFirstStep()) return;
       if (inUpperCase(keyword_.value("OP")) == "NEW" && !boundaries_.empty())
@@ -867,6 +906,18 @@ class DeckReader {
       case Reading::structure:
         if (!continued_) ++structures_.back().count;
         continued_ = line.text.back() == ',';
+        return;
+      case Reading::link:
+        if (words.size() != linkType_->nodes + 1)
+          lines_.failAt(line.position,
+                        fmt::format("{} has {} entries; it must have a number and {} node{}", linkType_->type,
+                                    words.size(), linkType_->nodes, linkType_->nodes == 1 ? "" : "s"));
+        links_[partKey(keyword_.value("ELSET"))].push_back(
+            {linkType_, {words.begin() + 1, words.end()}, line.position});
+        return;
+      case Reading::property:
+        for (const std::string_view word : words)
+          if (!word.empty()) properties_.back().numbers.emplace_back(word);
         return;
       case Reading::bulkViscosity:
         return bulkViscosity(words, line.position);
@@ -1308,14 +1359,13 @@ class DeckReader {
     Json& list = scene_.sections[section];
     if (list.is_null()) list = Json::array();
     const std::string key = rest.dump();
-    if (selection.starts_with("#") && !list.empty() && lastKey_[section] == key) {
-      std::string text = list.back()["set"].get<std::string>();
-      if (text.starts_with("#")) {
-        list.back()["set"] = text + "," + selection.substr(1);
-        return;
-      }
+    Last& last = last_[section];
+    // A node that comes again adds its value once more.
+    if (selection.starts_with("#") && !list.empty() && last.key == key && last.nodes.insert(selection).second) {
+      list.back()["set"] = list.back()["set"].get<std::string>() + "," + selection.substr(1);
+      return;
     }
-    lastKey_[section] = key;
+    last = {selection.starts_with("#") ? key : "", {selection}};
     scene_.origins[fmt::format("{}.{}", section, list.size())] = lines_.where(position);
     Json entry = selection.empty() ? Json{{"where", "all"}} : Json{{"set", selection}};
     entry.update(rest);
@@ -1357,6 +1407,68 @@ class DeckReader {
       addEntry("initial", start.selection, {{"velocity", listOf(velocity)}}, start.position);
     }
   }
+  void writeLinks() {
+    if (!nonlinear_)
+      for (const auto& [elset, links] : links_)
+        if (!links.empty() && links.front().type->nodes == 2)
+          note(
+              fmt::format("{}: the {} follows the line between its nodes; CalculiX keeps its first direction without "
+                          "NLGEOM",
+                          lines_.where(links.front().position), links.front().type->type));
+    for (const DeckProperty& property : properties_) {
+      const std::string key = inUpperCase(property.elset);
+      const auto own = links_.find(property.part.empty() ? key : property.part + "/" + key);
+      const auto of = [&](const DeckLink& link) { return link.type->keyword == property.keyword; };
+      if (own == links_.end() || own->second.empty() || !std::ranges::all_of(own->second, of))
+        lines_.failAt(property.position,
+                      fmt::format("*{}: {} is the ELSET of no such elements above; {} are taken", property.keyword,
+                                  inQuotes(property.elset), linkTypesOf(property.keyword)));
+      if (!property.part.empty() && instances_.size() > 1)
+        lines_.failAt(property.position, fmt::format("*{}: in a part, with several instances; write its elements in "
+                                                     "the assembly",
+                                                     property.keyword));
+      for (const DeckLink& link : own->second) writeLink(link, property);
+      links_.erase(own);
+    }
+    for (const auto& [elset, links] : links_)
+      if (!links.empty())
+        lines_.failAt(links.front().position, fmt::format("*ELEMENT, TYPE={}: no *{} names its ELSET",
+                                                          links.front().type->type, links.front().type->keyword));
+  }
+  static std::string linkTypesOf(std::string_view keyword) {
+    std::vector<std::string_view> names;
+    for (const DeckLinkType& type : linkTypes)
+      if (type.keyword == keyword) names.push_back(type.type);
+    return fmt::format("{}", fmt::join(names, " and "));
+  }
+  void writeLink(const DeckLink& link, const DeckProperty& property) {
+    const bool toGround = link.type->nodes == 1 && property.keyword != "MASS";
+    const std::size_t wanted = toGround ? 2 : 1;
+    if (property.numbers.size() != wanted)
+      lines_.failAt(property.position,
+                    fmt::format("*{} of {} has {} numbers; it must have {}, and none that depend on temperature or "
+                                "frequency",
+                                property.keyword, link.type->type, property.numbers.size(),
+                                toGround ? "a degree of freedom and one more" : "one"));
+    const double value = lines_.real(property.numbers.back(), "a number of *" + property.keyword, property.position);
+    const std::string node = selectionOf(link.nodes[0], link.position);
+    if (property.keyword == "MASS") {
+      last_.erase("mass");  // the mass of an entry is that of all its nodes
+      return addEntry("mass", node, {{"mass", value}}, link.position);
+    }
+    Json entry =
+        property.keyword == "SPRING" ? Json{{"stiffness", value}} : Json{{"stiffness", 0.0}, {"damping", value}};
+    if (toGround) {
+      const std::int64_t dof = lines_.number(property.numbers[0], "the degree of freedom", property.position);
+      if (dof > 3)
+        lines_.failAt(property.position, fmt::format("*{}: degree of freedom {} is none of a solid's; 1, 2 and 3 are",
+                                                     property.keyword, dof));
+      entry["direction"] = listOf(Eigen::Vector3d::Unit(dof - 1));
+    } else {
+      entry["to_set"] = selectionOf(link.nodes[1], link.position);
+    }
+    addEntry("spring", node, entry, link.position);
+  }
   void writeLoads() {
     for (const DeckLoad& load : loads_) {
       if (load.acceleration && !scalings_.empty())
@@ -1380,7 +1492,7 @@ class DeckReader {
       Json entry{{"pressure", table.factor * pressure.value}};
       entry.update(table.entries);
       for (const std::string& nodes : faces_->nodeSetsOf(pressure.faces)) {
-        lastKey_.erase("pressure");  // sets of two entries stay apart
+        last_.erase("pressure");  // sets of two entries stay apart
         addEntry("pressure", nodes, entry, pressure.position);
       }
     }
@@ -1407,6 +1519,9 @@ class DeckReader {
   std::vector<DeckMaterial> materials_;
   std::vector<DeckSection> sections_;
   std::vector<DeckStructure> structures_;
+  std::map<std::string, std::vector<DeckLink>> links_;  // by their ELSET, as nodeSets_
+  const DeckLinkType* linkType_ = nullptr;
+  std::vector<DeckProperty> properties_;
   std::vector<DeckScaling> scalings_;
   std::vector<DeckBoundary> boundaries_;
   std::vector<DeckPressure> pressures_;
@@ -1426,7 +1541,11 @@ class DeckReader {
   std::optional<DeckFaces> faces_;
   std::vector<std::string> refused_;
   std::set<std::string> noted_;
-  std::map<std::string, std::string> lastKey_;
+  struct Last {
+    std::string key;              // "" where none may join it
+    std::set<std::string> nodes;  // each "#12"
+  };
+  std::map<std::string, Last> last_;  // entries of the sections
   std::string left_;
 };
 

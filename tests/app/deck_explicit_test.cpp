@@ -321,6 +321,53 @@ TEST_F(ExplicitDecks, ScaleMasses) {
   }
 }
 
+// Point masses, springs and dashpots, in the assembly and in the part.
+TEST_F(ExplicitDecks, TakeMassesSpringsAndDashpots) {
+  const std::string links =
+      "*Element, type=MASS, elset=Points\n1001, Bar-1.9\n1002, Bar-1.10\n*Mass, elset=Points\n0.25,\n"
+      "*Element, type=SpringA, elset=Across\n1003, Bar-1.9, Bar-1.12\n*Spring, elset=Across\n\n1e8\n"
+      "*Element, type=Spring1, elset=Ground\n1004, Bar-1.11\n1005, Bar-1.12\n*Spring, elset=Ground\n3\n2e7\n"
+      "*Element, type=DashpotA, elset=Damper\n1006, Bar-1.10, Bar-1.11\n*Dashpot, elset=Damper\n\n500.\n"
+      "*Element, type=Dashpot1, elset=Slide\n1007, Bar-1.9\n*Dashpot, elset=Slide\n2\n300.\n";
+  const std::string scene = std::string(stvk) + fixed +
+                            "[[force]]\nset = \"Tip\"\neach = [-1e4, 0, 0]\n[[mass]]\nset = \"#9\"\nmass = "
+                            "0.25\n[[mass]]\nset = \"#10\"\nmass = 0.25\n[[spring]]\nset = \"#9\"\nto_set = "
+                            "\"#12\"\nstiffness = 1e8\n[[spring]]\nset = \"#11,12\"\nstiffness = 2e7\ndirection = [0, "
+                            "0, 1]\n[[spring]]\nset = \"#10\"\nto_set = \"#11\"\nstiffness = 0\ndamping = "
+                            "500\n[[spring]]\nset = \"#9\"\nstiffness = 0\ndamping = 300\ndirection = [0, 1, 0]\n";
+  const auto deck = [&](const std::string& more) {
+    return part("C3D8") + steel() + more + step("*Cload\nTip, 1, -1e4\n");
+  };
+  expectSame(deck(links), scene);
+  EXPECT_NEAR(mass_, 15.7 + 0.5, 1e-12);
+  std::string inPart = deck("");
+  std::string ofPart = links;
+  for (std::size_t at; (at = ofPart.find("Bar-1.")) != std::string::npos;) ofPart.erase(at, 6);
+  inPart.insert(inPart.find("*End Part"), ofPart);
+  expectSame(inPart, scene);
+  // One spring of twice the stiffness, and two at the same node.
+  const std::string one = "*Element, type=Spring1, elset=G\n1, 9\n2, 9\n*Spring, elset=G\n1\n1e8\n";
+  expectSame(deck(one), std::string(stvk) + fixed +
+                            "[[force]]\nset = \"Tip\"\neach = [-1e4, 0, 0]\n[[spring]]\nset = \"#9\"\nstiffness = "
+                            "2e8\ndirection = [1, 0, 0]\n");
+  const auto refuseAll = [&](const std::string& more, const std::string& what) {
+    for (const std::string command : {"run deck.inp --out x", "inspect deck.inp"}) refuse(deck(more), what, command);
+  };
+  refuseAll("*Element, type=Spring2, elset=S\n1, 9, 10\n*Spring, elset=S\n1, 1\n1e8\n",
+            "*SPRING: \"S\" is the ELSET of no such elements above; SPRING1 and SPRINGA are taken");
+  refuseAll("*Element, type=SpringA, elset=S\n1, 9, 10\n", "*ELEMENT, TYPE=SPRINGA: no *SPRING names its ELSET");
+  refuseAll("*Element, type=SpringA, elset=S\n1, 9, 10\n*Spring, elset=S, nonlinear\n-1., -1.\n1., 1.\n",
+            "*SPRING, NONLINEAR: springs here are linear");
+  refuseAll("*Element, type=SpringA, elset=S\n1, 9, 10\n*Spring, elset=S\n1e8, 20.\n",
+            "has 2 numbers; it must have one");
+  refuseAll("*Element, type=Spring1, elset=S\n1, 9\n*Spring, elset=S\n4\n1e8\n",
+            "degree of freedom 4 is none of a solid's");
+  refuseAll("*Element, type=MASS, elset=S\n1, 9\n*Mass, elset=S, alpha=2.\n1.\n",
+            "*MASS, ALPHA=2. is not taken; ELSET are");
+  refuseAll("*Element, type=MASS, elset=S\n1, 9, 10\n*Mass, elset=S\n1.\n",
+            "MASS has 3 entries; it must have a number and 1 node");
+}
+
 // The step that a deck fixes is held, and is found unstable where it is.
 TEST_F(ExplicitDecks, JudgeAFixedStep) {
   const std::string loads = "*Cload\nTip, 1, 1.\n";
