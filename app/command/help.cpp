@@ -11,7 +11,7 @@
 #include <ringwatch/app/command/integrator_catalog.h>
 #include <ringwatch/app/command/verify.h>
 #include <ringwatch/app/output/output_fields.h>
-#include <ringwatch/app/scene/deck_scene.h>
+#include <ringwatch/app/scene/deck_keywords.h>
 #include <ringwatch/app/scene/scene_keys.h>
 #include <ringwatch/app/scene/scene_mesh.h>
 #include <ringwatch/elements/registry.h>

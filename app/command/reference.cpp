@@ -13,6 +13,7 @@
 #include <ringwatch/app/command/verify.h>
 #include <ringwatch/app/output/output_fields.h>
 #include <ringwatch/app/output/report.h>
+#include <ringwatch/app/scene/deck_keywords.h>
 #include <ringwatch/app/scene/probe_quantity.h>
 #include <ringwatch/app/scene/scene_keys.h>
 #include <ringwatch/app/scene/scene_mesh.h>
@@ -385,6 +386,13 @@ std::string generatorsPage(const Commands&) {
   return page.text();
 }
 
+std::string decksPage(const Commands&) {
+  Page page("Keywords of decks",
+            "What is done with each keyword of Abaqus and CalculiX; `ringwatch help decks` prints the same.");
+  page.paragraph("```text\n" + deckHelp() + "```");
+  return page.text();
+}
+
 std::string studiesPage(const Commands&) {
   Page page("Studies", "What `ringwatch verify STUDY` runs; `ringwatch verify all` runs them all.");
   page.table({"study", "what it measures", "former name"});
@@ -416,6 +424,7 @@ constexpr NamedPage pages[] = {
     {"metrics", "Metrics", "metrics and the direction that each errs in", metricsPage},
     {"handlers", "Handlers", "handlers and their own keys", handlersPage},
     {"formats", "Mesh formats", "what is read and written", formatsPage},
+    {"decks", "Keywords of decks", "what is done with each keyword of Abaqus and CalculiX", decksPage},
     {"generators", "Mesh generators", "kinds of generated meshes and their parameters", generatorsPage},
     {"studies", "Studies", "what `ringwatch verify` runs", studiesPage},
     {"exit_status", "Exit statuses", "of every command", exitStatusPage},

@@ -29,7 +29,4 @@ bool isDeckFile(const std::filesystem::path& file);
 /// "FILE:LINE: …" with every keyword that changes the motion and that ringwatch has not.
 DeckScene readDeckScene(const std::filesystem::path& file, DeckUse use);
 
-/// Every keyword with what is done with it, for the help.
-std::string deckHelp();
-
 }  // namespace ringwatch

@@ -1,5 +1,7 @@
 // Abaqus and CalculiX decks as scenes: what is taken, left out and refused, and motions against analytic answers.
 #include <cmath>
+#include <set>
+#include <sstream>
 #include <string>
 
 #include <ringwatch/app/scene/time_table.h>
@@ -417,6 +419,18 @@ TEST_F(Decks, GiveEachInstanceItsMaterial) {
   const Outcome outcome = call("inspect deck.inp --json -");
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_NEAR(parse(outcome.out)["mass"].get<double>(), 2 + 4, 1e-13);
+}
+
+TEST_F(Decks, ListEveryKeywordOnce) {
+  const std::string help = call("help decks").out;
+  std::istringstream lines(help.substr(0, help.find("parameters of keywords")));
+  std::set<std::string> known;
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("  *")) continue;
+    std::istringstream words(line);
+    for (std::string word; words >> word;) EXPECT_TRUE(known.insert(word).second) << word;
+  }
+  EXPECT_GT(known.size(), 350u);
 }
 
 // ∫ of a table whose factor stays until the next time.
