@@ -9,7 +9,12 @@
 namespace ringwatch {
 namespace {
 
-constexpr std::string_view noContact = "contact adds stiffness that the bracket would have to know";
+constexpr std::string_view noContact =
+    "of contact *CONTACT PAIR and *CONTACT INCLUSIONS, ALL EXTERIOR are taken, hard and with one coefficient of "
+    "friction";
+constexpr std::string_view byPenalty =
+    "contact here is by penalty, of a stiffness at the nodes that the step has room for";
+constexpr std::string_view movesNodes = "moves nodes before the start; move them in the mesh";
 constexpr std::string_view noConstraint = "ties degrees of freedom to each other";
 constexpr std::string_view noLaw = "there is no such law";
 constexpr std::string_view notDynamic = "is no *DYNAMIC step";
@@ -34,8 +39,9 @@ constexpr DeckKeywordRule keywordRules[] = {
      "NODE SYSTEM ELEMENT NSET ELSET PART ENDPART ASSEMBLY ENDASSEMBLY INSTANCE ENDINSTANCE INCLUDE END"},
     {DeckRule::taken,
      "MATERIAL ELASTIC HYPERELASTIC DENSITY DAMPING BULKVISCOSITY FIXEDMASSSCALING VARIABLEMASSSCALING SECTIONCONTROLS "
-     "SOLIDSECTION MASS SPRING DASHPOT BOUNDARY INITIALCONDITIONS STEP ENDSTEP DYNAMIC"},
-    {DeckRule::takenInRun, "AMPLITUDE CLOAD DLOAD DSLOAD SURFACE"},
+     "SOLIDSECTION MASS SPRING DASHPOT BOUNDARY INITIALCONDITIONS SURFACE CONTACT CONTACTINCLUSIONS "
+     "CONTACTPROPERTYASSIGNMENT CONTACTPAIR SURFACEINTERACTION FRICTION SURFACEBEHAVIOR STEP ENDSTEP DYNAMIC"},
+    {DeckRule::takenInRun, "AMPLITUDE CLOAD DLOAD DSLOAD"},
     {DeckRule::other, "HOURGLASSSTIFFNESS", hourglassHere},
     // What the program does besides, axes of isotropic laws, and what only temperatures, fluids and currents need.
     {DeckRule::harmless,
@@ -98,12 +104,11 @@ constexpr DeckKeywordRule keywordRules[] = {
      "TRIAXIALTESTDATA COMBINEDTESTDATA",
      "constants are not fitted; give those that Abaqus prints"},
     {DeckRule::refused,
-     "CONTACT CONTACTPAIR CONTACTINCLUSIONS CONTACTEXCLUSIONS CONTACTPROPERTYASSIGNMENT CONTACTFORMULATION "
-     "CONTACTCONTROLS CONTACTCONTROLSASSIGNMENT CONTACTCLEARANCE CONTACTCLEARANCEASSIGNMENT "
-     "CONTACTINITIALIZATIONDATA CONTACTINITIALIZATIONASSIGNMENT CONTACTINTERFERENCE CONTACTDAMPING "
-     "CONTACTSTABILIZATION CONTACTPERMEABILITY CLEARANCE SURFACEINTERACTION SURFACEBEHAVIOR SURFACEPROPERTYASSIGNMENT "
-     "FRICTION CHANGEFRICTION CHANGECONTACTTYPE CHANGESURFACEBEHAVIOR COHESIVEBEHAVIOR PRESSUREPENETRATION BOND "
-     "SLIDELINE RIGIDSURFACE GAPCONDUCTANCE GAPHEATGENERATION GAPRADIATION GAPFLOW GAPELECTRICALCONDUCTANCE",
+     "CONTACTEXCLUSIONS CONTACTFORMULATION CONTACTCONTROLS CONTACTCONTROLSASSIGNMENT CONTACTCLEARANCE "
+     "CONTACTCLEARANCEASSIGNMENT CONTACTINITIALIZATIONDATA CONTACTINITIALIZATIONASSIGNMENT CONTACTINTERFERENCE "
+     "CONTACTDAMPING CONTACTSTABILIZATION CONTACTPERMEABILITY CLEARANCE SURFACEPROPERTYASSIGNMENT CHANGEFRICTION "
+     "CHANGECONTACTTYPE CHANGESURFACEBEHAVIOR COHESIVEBEHAVIOR PRESSUREPENETRATION BOND SLIDELINE RIGIDSURFACE "
+     "GAPCONDUCTANCE GAPHEATGENERATION GAPRADIATION GAPFLOW GAPELECTRICALCONDUCTANCE",
      noContact},
     {DeckRule::refused,
      "TIE EQUATION MPC NETWORKMPC COUPLING KINEMATIC DISTRIBUTING KINEMATICCOUPLING DISTRIBUTINGCOUPLING "
@@ -290,6 +295,23 @@ constexpr DeckParameterRule parameterRules[] = {
     {"SURFACE", "TYPE", "", DeckRule::taken},
     {"SURFACE", "REGIONTYPE", "", DeckRule::taken},
     {"SURFACE", "INTERNAL", "", DeckRule::taken},
+    {"CONTACT", "OP", "", DeckRule::taken},
+    {"CONTACTINCLUSIONS", "ALLEXTERIOR", "", DeckRule::taken},
+    {"CONTACTPAIR", "INTERACTION", "", DeckRule::taken},
+    {"CONTACTPAIR", "CPSET", "", DeckRule::taken},
+    {"CONTACTPAIR", "NOTHICKNESS", "", DeckRule::taken},  // of shells
+    {"CONTACTPAIR", "MECHANICALCONSTRAINT", "PENALTY", DeckRule::taken},
+    {"CONTACTPAIR", "MECHANICALCONSTRAINT", "", DeckRule::other, byPenalty},
+    {"CONTACTPAIR", "TYPE", "NODETOSURFACE", DeckRule::taken},
+    {"CONTACTPAIR", "TYPE", "", DeckRule::other, "nodes touch faces here"},
+    {"CONTACTPAIR", "SMALLSLIDING", "", DeckRule::other, "nodes slide from face to face here"},
+    {"CONTACTPAIR", "ADJUST", "", DeckRule::refused, movesNodes},
+    {"SURFACEINTERACTION", "NAME", "", DeckRule::taken},
+    {"SURFACEBEHAVIOR", "PRESSURE-OVERCLOSURE", "HARD", DeckRule::taken},
+    {"SURFACEBEHAVIOR", "PRESSURE-OVERCLOSURE", "", DeckRule::refused,
+     "its pressure goes with the depth, and contact here has a stiffness at nodes; HARD is taken"},
+    {"SURFACEBEHAVIOR", "PENALTY", "", DeckRule::taken},
+    {"FRICTION", "SLIPTOLERANCE", "", DeckRule::other, "contact.slip says how surfaces that stick creep"},
 };
 
 constexpr std::string_view hybrid =

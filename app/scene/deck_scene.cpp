@@ -57,10 +57,15 @@ struct DeckPressure {
   std::size_t position;  // of the keyword
   std::vector<std::int32_t> faces = {};
 };
-/// A line of a *SURFACE of element faces.
+/// A line of a *SURFACE.
 struct DeckSurfaceLine {
-  std::string elements;  // a set or a number
-  int face;
+  std::string elements;  // a set or a number; of nodes in a *SURFACE of those
+  int face;              // 0 for all that lie outside
+};
+struct DeckContact {
+  std::string nodes, faces;  // of *SURFACE; "" for all
+  std::string interaction;
+  std::size_t position;
 };
 struct DeckInitial {
   std::string selection;
@@ -161,6 +166,7 @@ class DeckReader {
     writeBoundaries();
     writeInitials();
     writeLinks();
+    writeContacts();
     writeLoads();
     writePressures();
     for (const auto& [name, surface] : surfaces_)
@@ -189,7 +195,10 @@ class DeckReader {
     sectionControls,
     structure,
     link,
-    property
+    property,
+    interactions,
+    contact,
+    friction
   };
 
   bool forRun() const { return use_ == DeckUse::run; }
@@ -457,10 +466,27 @@ class DeckReader {
       reading_ = Reading::dynamic;
     } else if (name == "SURFACE") {
       const std::string type = inUpperCase(keyword_.value("TYPE"));
-      if (!type.empty() && type != "ELEMENT") return leaveOut(keyword_);
+      if (!type.empty() && type != "ELEMENT" && type != "NODE") return leaveOut(keyword_);
       surface_ = &surfaces_[inUpperCase(keyword_.value("NAME"))];
-      *surface_ = {keyword_, {}};
+      *surface_ = {keyword_, {}, type == "NODE"};
       reading_ = Reading::surface;
+    } else if (name == "CONTACTINCLUSIONS") {
+      if (!ofFirstStep()) return;
+      if (!keyword_.has("ALLEXTERIOR")) return refuseHere(": ALL EXTERIOR is taken; give pairs as *CONTACT PAIR");
+      general_ = contacts_.size();
+      contacts_.push_back({"", "", "", keyword_.position});
+    } else if (name == "CONTACTPROPERTYASSIGNMENT") {
+      reading_ = Reading::interactions;
+    } else if (name == "CONTACTPAIR") {
+      if (ofFirstStep()) reading_ = Reading::contact;
+    } else if (name == "SURFACEINTERACTION") {
+      interaction_ = inUpperCase(keyword_.value("NAME"));
+      frictions_[interaction_] = 0;
+    } else if (name == "FRICTION") {
+      if (interaction_.empty()) return refuseHere(" stands before any *SURFACE INTERACTION");
+      reading_ = Reading::friction;
+    } else if (name == "CONTACT" || name == "SURFACEBEHAVIOR") {
+      return;
     } else {
       reading_ = name == "CLOAD" ? Reading::cload : name == "DLOAD" ? Reading::dload : Reading::dsload;
     }
@@ -544,8 +570,30 @@ class DeckReader {
       case Reading::sectionControls:
         return sectionControls(words, line.position);
       case Reading::surface:
-        if (words.size() > 1)
-          if (const auto face = faceOf(words[1], 'S')) surface_->lines.push_back({std::string(words[0]), *face});
+        if (surface_->ofNodes || words.size() < 2 || words[1].empty())
+          surface_->lines.push_back({std::string(words[0]), 0});
+        else if (const auto face = faceOf(words[1], 'S'))
+          surface_->lines.push_back({std::string(words[0]), *face});
+        else
+          refuse(line.position, fmt::format("*SURFACE: {} is no face of a solid; S1 to S6 are", inQuotes(words[1])));
+        return;
+      case Reading::interactions:
+        if (words.size() < 3 || !words[0].empty() || !words[1].empty())
+          return refuse(line.position, fmt::format("*{}: its interaction is of all surfaces here, \", , NAME\"; give "
+                                                   "pairs as *CONTACT PAIR",
+                                                   keyword_.name));
+        generalInteraction_ = inUpperCase(words[2]);
+        return;
+      case Reading::contact:
+        contacts_.push_back({inUpperCase(words[0]), inUpperCase(words.size() > 1 ? words[1] : words[0]),
+                             inUpperCase(keyword_.value("INTERACTION")), line.position});
+        return;
+      case Reading::friction:
+        if (dataLines_ > 1 || words.size() > 1)
+          return refuse(line.position,
+                        "*FRICTION has more than one number; there is one coefficient, for all speeds, "
+                        "pressures and temperatures");
+        frictions_[interaction_] = lines_.real(words[0], "the coefficient of friction", line.position);
         return;
     }
   }
@@ -767,37 +815,58 @@ class DeckReader {
     if (const auto set = setNamed(mesh().elementSets, given); set != mesh().elementSets.end()) return set->second;
     lines_.failAt(position, fmt::format("*{}: there is no element set {}", keyword_.name, inQuotes(word)));
   }
+  const DeckFaces& faces() {
+    if (!faces_) faces_.emplace(mesh());
+    return *faces_;
+  }
+  /// The faces of the surface of the mesh with a number, of elements, or all of these that lie outside for 0.
+  std::vector<std::int32_t> facesOf(const std::string& elements, int face, std::size_t position) {
+    std::vector<std::int32_t> result;
+    for (const ElementRef element : elementsOf(elements, position)) {
+      if (face == 0) {
+        constexpr int mostFaces = 6;
+        for (int number = 1; number <= mostFaces; ++number)
+          if (const auto found = faces().find(element, number); found && *found >= 0) result.push_back(*found);
+        continue;
+      }
+      const MeshBlock& block = mesh().blocks[element.block];
+      const auto named = [&] {
+        return fmt::format("*{}: face {} of {} element {}", keyword_.name, face, elementInfo(block.type).name,
+                           block.id(static_cast<std::size_t>(element.element)));
+      };
+      const std::optional<std::int32_t> found = faces().find(element, face);
+      if (!found)
+        refuse(position, named() + ": there is no such face");
+      else if (*found < 0)
+        refuse(position, named() + " lies inside the mesh");
+      else
+        result.push_back(*found);
+      if (!found || *found < 0) break;
+    }
+    return result;
+  }
   /// A pressure on a face of elements.
   void press(const std::string& elements, int face, std::string_view value, std::size_t position) {
     const double pressure = lines_.real(value, "the pressure", position);
-    if (!faces_) faces_.emplace(mesh());
     const auto begin = [&] {
       pressures_.push_back({pressure, inUpperCase(keyword_.value("AMPLITUDE")), keyword_.position});
       pressed_.clear();
     };
     if (pressures_.empty() || pressures_.back().position != keyword_.position || pressures_.back().value != pressure)
       begin();
-    for (const ElementRef element : elementsOf(elements, position)) {
-      const MeshBlock& block = mesh().blocks[element.block];
-      const auto named = [&] {
-        return fmt::format("*{}: face {} of {} element {}", keyword_.name, face, elementInfo(block.type).name,
-                           block.id(static_cast<std::size_t>(element.element)));
-      };
-      const std::optional<std::int32_t> found = faces_->find(element, face);
-      if (!found) return refuse(position, named() + ": there is no such face");
-      if (*found < 0) return refuse(position, named() + " lies inside the mesh");
-      if (!pressed_.insert(*found).second) {  // pressures on a face add up
+    for (const std::int32_t one : facesOf(elements, face, position)) {
+      if (!pressed_.insert(one).second) {  // pressures on a face add up
         begin();
-        pressed_.insert(*found);
+        pressed_.insert(one);
       }
-      pressures_.back().faces.push_back(*found);
+      pressures_.back().faces.push_back(one);
     }
   }
   void dsload(const std::vector<std::string_view>& words, std::size_t position) {
     if (words.size() < 3 || inUpperCase(words[1]) != "P")
       return refuse(position, "*DSLOAD: a line must be a surface, P, and a pressure; no other load is taken");
     const auto surface = surfaces_.find(inUpperCase(words[0]));
-    if (surface == surfaces_.end())
+    if (surface == surfaces_.end() || surface->second.ofNodes)
       return refuse(position, fmt::format("*DSLOAD: there is no *SURFACE {} of element faces", inQuotes(words[0])));
     surface->second.used = true;
     for (const DeckSurfaceLine& line : surface->second.lines) press(line.elements, line.face, words[2], position);
@@ -987,7 +1056,11 @@ class DeckReader {
     }
     last = {selection.starts_with("#") ? key : "", {selection}};
     scene_.origins[fmt::format("{}.{}", section, list.size())] = lines_.where(position);
-    Json entry = selection.empty() ? Json{{"where", "all"}} : Json{{"set", selection}};
+    Json entry = Json::object();
+    if (!selection.empty())
+      entry["set"] = selection;
+    else if (section != "contact")
+      entry["where"] = "all";
     entry.update(rest);
     list.push_back(std::move(entry));
   }
@@ -1089,6 +1162,66 @@ class DeckReader {
     }
     addEntry("spring", node, entry, link.position);
   }
+  void writeContacts() {
+    if (general_ && contacts_.size() > 1)
+      lines_.failAt(contacts_.back().position, "contact beside that of all surfaces, which has it already; give one");
+    if (general_) contacts_[*general_].interaction = generalInteraction_;
+    if (!contacts_.empty())
+      note(
+          fmt::format("{}: contact is by penalty here, of a stiffness at the nodes that the step has room for; "
+                      "contact.penalty sets it",
+                      lines_.where(contacts_.front().position)));
+    for (const DeckContact& contact : contacts_) {
+      const auto friction = frictions_.find(contact.interaction);
+      if (!contact.interaction.empty() && friction == frictions_.end())
+        lines_.failAt(contact.position,
+                      fmt::format("contact: there is no *SURFACE INTERACTION {}", inQuotes(contact.interaction)));
+      Json entry{{"with", "surface"}};
+      if (friction != frictions_.end() && friction->second != 0) entry["friction"] = friction->second;
+      if (contact.nodes.empty()) {
+        addEntry("contact", "", entry, contact.position);
+        continue;
+      }
+      // The nodes of each side touch the faces of the other, if it has any.
+      const auto write = [&](const std::string& nodes, const std::string& faces) {
+        const auto [own, ofNodes] = contactSide(nodes, contact.position);
+        const auto [touched, noFaces] = contactSide(faces, contact.position);
+        if (noFaces) return;
+        Json sides = entry;
+        sides["to_set"] = touched;
+        last_.erase("contact");
+        addEntry("contact", own, sides, contact.position);
+      };
+      if (contactSide(contact.faces, contact.position).second)
+        lines_.failAt(contact.position, fmt::format("*CONTACT PAIR: {} has no faces; a *SURFACE of TYPE=ELEMENT has",
+                                                    inQuotes(contact.faces)));
+      write(contact.nodes, contact.faces);
+      if (contact.nodes != contact.faces) write(contact.faces, contact.nodes);
+    }
+  }
+  /// The nodes of a surface, "#3,7", and whether it has no faces.
+  std::pair<std::string, bool> contactSide(const std::string& name, std::size_t position) {
+    const auto found = surfaces_.find(name);
+    if (found == surfaces_.end())
+      lines_.failAt(position, fmt::format("*CONTACT PAIR: there is no *SURFACE {}", inQuotes(name)));
+    Surface& surface = found->second;
+    surface.used = true;
+    if (surface.ofNodes) {
+      std::set<std::int64_t> nodes;
+      for (const DeckSurfaceLine& line : surface.lines)
+        for (const std::int32_t node : nodesOf(selectionOf(line.elements, position))) nodes.insert(mesh().nodeId(node));
+      return {fmt::format("#{}", fmt::join(nodes, ",")), true};
+    }
+    std::set<std::int32_t> outside;
+    for (const DeckSurfaceLine& line : surface.lines)
+      for (const std::int32_t face : facesOf(line.elements, line.face, position)) outside.insert(face);
+    if (!refused_.empty()) refuseAll();
+    const std::vector<std::string> sets = faces().nodeSetsOf({outside.begin(), outside.end()});
+    if (sets.size() != 1)
+      lines_.failAt(position, fmt::format("*CONTACT PAIR: the faces of {} are not told from others by their nodes",
+                                          inQuotes(name)));
+    return {sets.front(), false};
+  }
   void writeLoads() {
     for (const DeckLoad& load : loads_) {
       if (load.acceleration && !scalings_.empty())
@@ -1149,10 +1282,14 @@ class DeckReader {
   struct Surface {
     DeckKeyword keyword;
     std::vector<DeckSurfaceLine> lines;
-    bool used = false;
+    bool ofNodes = false, used = false;
   };
   std::map<std::string, Surface> surfaces_;
   Surface* surface_ = nullptr;
+  std::vector<DeckContact> contacts_;
+  std::optional<std::size_t> general_;  // of contacts_: the one of *CONTACT
+  std::string interaction_, generalInteraction_;
+  std::map<std::string, double> frictions_;  // by *SURFACE INTERACTION
   std::vector<DeckInitial> initials_;
   std::vector<DeckLoad> loads_;
   std::map<std::string, DeckAmplitude> amplitudes_;

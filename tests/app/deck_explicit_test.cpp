@@ -368,6 +368,73 @@ TEST_F(ExplicitDecks, TakeMassesSpringsAndDashpots) {
             "MASS has 3 entries; it must have a number and 1 node");
 }
 
+// A cube falls on another: in general contact, and by a pair of surfaces of elements or of one of nodes.
+TEST_F(ExplicitDecks, LetSurfacesTouch) {
+  const std::string cubes =
+      "*NODE, NSET=Nall\n1, 0, 0, 0\n2, 0.1, 0, 0\n3, 0.1, 0.1, 0\n4, 0, 0.1, 0\n5, 0, 0, 0.1\n6, 0.1, 0, 0.1\n"
+      "7, 0.1, 0.1, 0.1\n8, 0, 0.1, 0.1\n11, 0.02, 0.02, 0.101\n12, 0.08, 0.02, 0.101\n13, 0.08, 0.08, 0.101\n"
+      "14, 0.02, 0.08, 0.101\n15, 0.02, 0.02, 0.161\n16, 0.08, 0.02, 0.161\n17, 0.08, 0.08, 0.161\n18, 0.02, 0.08, "
+      "0.161\n*ELEMENT, TYPE=C3D8, ELSET=Lower\n1, 1, 2, 3, 4, 5, 6, 7, 8\n*ELEMENT, TYPE=C3D8, ELSET=Upper\n2, 11, "
+      "12, "
+      "13, 14, 15, 16, 17, 18\n*ELSET, ELSET=All\nLower, Upper\n*NSET, NSET=Root\n1, 2, 3, 4\n*NSET, NSET=Top\n11, 12, "
+      "13, 14, 15, 16, 17, 18\n*SOLID SECTION, ELSET=All, MATERIAL=soft\n*MATERIAL, NAME=soft\n*ELASTIC\n30e3, "
+      "0.3\n*DENSITY\n1000.\n*INITIAL CONDITIONS, TYPE=VELOCITY\nTop, 3, -0.5\nTop, 1, 0.1\n*BOUNDARY\nRoot, PINNED\n";
+  const std::string property =
+      "*SURFACE INTERACTION, NAME=Int\n*FRICTION\n0.2,\n*SURFACE BEHAVIOR, "
+      "PRESSURE-OVERCLOSURE=HARD\n";
+  const std::string end = "*STEP, NLGEOM\n*DYNAMIC, EXPLICIT, DIRECT USER CONTROL\n2e-4, 0.01\n";
+  const std::string scene =
+      "[material]\nmodel = \"stvk\"\nyoung = 30e3\npoisson = 0.3\ndensity = 1000\n[[fix]]\nset = "
+      "\"Root\"\n[[initial]]\n"
+      "set = \"Top\"\nvelocity = [0.1, 0, -0.5]\n[[contact]]\nwith = \"surface\"\n";
+  const std::string fixing = "step = 2e-4\nend = 0.01\n";
+  expectSame(cubes + property + end +
+                 "*CONTACT\n*CONTACT INCLUSIONS, ALL EXTERIOR\n*CONTACT PROPERTY ASSIGNMENT\n, , Int\n*END STEP\n",
+             scene + "friction = 0.2\n", fixing);
+  EXPECT_THAT(out_, HasSubstr("contact is by penalty here, of a stiffness at the nodes"));
+  const Table rows = table("d/history.csv");
+  EXPECT_LT(rows.number(rows.rows.size() - 1, "kinetic_J"), 0.9 * rows.number(0, "kinetic_J"));  // it has touched
+
+  const std::string lower = "set = \"#5,6,7,8\"\n", upper = "set = \"#11,12,13,14\"\n";
+  const std::string surfaces = "*SURFACE, NAME=Under\nLower, S2\n*SURFACE, NAME=Over\nUpper, S1\n";
+  expectSame(cubes + property + surfaces +
+                 "*CONTACT PAIR, INTERACTION=Int, MECHANICAL CONSTRAINT=KINEMATIC\nOver, "
+                 "Under\n" +
+                 end + "*END STEP\n",
+             scene + "friction = 0.2\n" + upper + "to_" + lower + "[[contact]]\nwith = \"surface\"\nfriction = 0.2\n" +
+                 lower + "to_" + upper,
+             fixing);
+  EXPECT_THAT(out_, HasSubstr("MECHANICALCONSTRAINT=KINEMATIC: contact here is by penalty"));
+  expectSame(cubes +
+                 "*SURFACE, NAME=Over, TYPE=NODE\n11\n12\n13,\n14, 1.\n*SURFACE, NAME=Under\nLower, S2\n*SURFACE "
+                 "INTERACTION, NAME=Int\n*CONTACT PAIR, INTERACTION=Int, TYPE=NODE TO SURFACE\nOver, Under\n" +
+                 end + "*END STEP\n",
+             scene + upper + "to_" + lower, fixing);
+
+  for (const std::string command : {"run deck.inp --out x", "inspect deck.inp"}) {
+    const auto refused = [&](const std::string& more, const std::string& what) {
+      refuse(cubes + property + surfaces + more + end + "*END STEP\n", what, command);
+    };
+    refused("*CONTACT PAIR, INTERACTION=None\nOver, Under\n", "contact: there is no *SURFACE INTERACTION \"NONE\"");
+    refused("*CONTACT PAIR, INTERACTION=Int\nOver, Nowhere\n", "*CONTACT PAIR: there is no *SURFACE \"NOWHERE\"");
+    refused("*CONTACT PAIR, INTERACTION=Int, ADJUST=0.1\nOver, Under\n", "ADJUST=0.1: moves nodes before the start");
+    refused("*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n1e9\n", "PRESSURE-OVERCLOSURE=LINEAR: its pressure goes");
+    refused("*FRICTION\n0.1, 2.\n", "*FRICTION has more than one number");
+    refused("*CONTACT INCLUSIONS, ALL EXTERIOR\n*CONTACT PAIR, INTERACTION=Int\nOver, Under\n",
+            "contact beside that of all surfaces, which has it already");
+    refused("*CONTACT\n*CONTACT INCLUSIONS\nOver, Under\n", "*CONTACT INCLUSIONS: ALL EXTERIOR is taken");
+    refused("*CONTACT PROPERTY ASSIGNMENT\nOver, Under, Int\n", "its interaction is of all surfaces here");
+    refused("*CONTACT EXCLUSIONS\nOver, Under\n", "*CONTACT EXCLUSIONS: of contact *CONTACT PAIR");
+    refused("*SURFACE, NAME=Edge\nLower, E1\n", "*SURFACE: \"E1\" is no face of a solid");
+  }
+}
+
+// A surface of elements without faces is all that lies outside.
+TEST_F(ExplicitDecks, PressAllThatLiesOutside) {
+  expectSame(part("C3D8") + "*Surface, name=Skin\nBar-1.All,\n" + steel() + step("*Dsload\nSkin, P, 1e6\n"),
+             std::string(stvk) + fixed + "[[pressure]]\nwhere = \"all\"\npressure = 1e6\n");
+}
+
 // The step that a deck fixes is held, and is found unstable where it is.
 TEST_F(ExplicitDecks, JudgeAFixedStep) {
   const std::string loads = "*Cload\nTip, 1, 1.\n";

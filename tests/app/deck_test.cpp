@@ -183,8 +183,9 @@ TEST_F(Decks, LeaveOutElementsWithoutASection) {
 
 TEST_F(Decks, RefuseWhatWouldChangeTheMotion) {
   const std::string whole = std::string(soft) + step("");
-  refuse(whole + "*CONTACT PAIR, INTERACTION=i\n*TIE, NAME=t\n",
-         "deck.inp:33: *CONTACT PAIR: contact adds stiffness that the bracket would have to know; and 1 more: "
+  refuse(whole + "*CONTACT EXCLUSIONS\n*TIE, NAME=t\n",
+         "deck.inp:33: *CONTACT EXCLUSIONS: of contact *CONTACT PAIR and *CONTACT INCLUSIONS, ALL EXTERIOR are taken, "
+         "hard and with one coefficient of friction; and 1 more: "
          "deck.inp:34: *TIE: ties degrees of freedom to each other");
   refuse(whole + "*NEW THING\n", "deck.inp:33: *NEW THING is not known");
   refuse("*MATERIAL, NAME=m\n*ELASTIC, TYPE=ORTHO\n1,1,1\n", "deck.inp:24: *ELASTIC, TYPE=ORTHO: there is no such law");
