@@ -36,7 +36,8 @@ constexpr std::string_view laterInTime = "moves the times of its amplitude";
 /// Every keyword of Abaqus and CalculiX that is known. One that is not here is refused.
 constexpr DeckKeywordRule keywordRules[] = {
     {DeckRule::mesh,
-     "NODE SYSTEM ELEMENT NSET ELSET PART ENDPART ASSEMBLY ENDASSEMBLY INSTANCE ENDINSTANCE INCLUDE END"},
+     "NODE SYSTEM NGEN NFILL ELEMENT ELGEN NSET ELSET PART ENDPART ASSEMBLY ENDASSEMBLY INSTANCE ENDINSTANCE INCLUDE "
+     "END"},
     {DeckRule::taken,
      "MATERIAL ELASTIC HYPERELASTIC DENSITY DAMPING BULKVISCOSITY FIXEDMASSSCALING VARIABLEMASSSCALING SECTIONCONTROLS "
      "SOLIDSECTION MASS SPRING DASHPOT BOUNDARY INITIALCONDITIONS SURFACE CONTACT CONTACTINCLUSIONS "
@@ -119,8 +120,7 @@ constexpr DeckKeywordRule keywordRules[] = {
      "moves with a reference node, which has its loads and supports; [[rigid]] of a scene moves with its centre of "
      "mass"},
     {DeckRule::refused, "TRANSFORM", "turns the axes of nodes"},
-    {DeckRule::refused, "NGEN NFILL NCOPY ELGEN ELCOPY NMAP SYMMETRICMODELGENERATION IMPERFECTION REFINEMESH",
-     notWritten},
+    {DeckRule::refused, "NCOPY ELCOPY NMAP SYMMETRICMODELGENERATION IMPERFECTION REFINEMESH", notWritten},
     {DeckRule::refused,
      "ADAPTIVEMESH ADAPTIVEMESHCONSTRAINT ADAPTIVEMESHCONTROLS ADAPTIVEMESHREFINEMENT EULERIANBOUNDARY "
      "EULERIANMESHMOTION",

@@ -309,8 +309,8 @@ class DeckReader {
     const auto remember = [&](std::map<std::string, std::string>& names, const char* key) {
       if (const std::string set = keyword_.value(key); !set.empty()) names.try_emplace(partKey(set), set);
     };
-    if (name == "NODE" || name == "NSET") remember(nodeSets_, "NSET");
-    if (name == "ELEMENT" || name == "ELSET") remember(elementSets_, "ELSET");
+    if (name == "NODE" || name == "NSET" || name == "NGEN" || name == "NFILL") remember(nodeSets_, "NSET");
+    if (name == "ELEMENT" || name == "ELSET" || name == "ELGEN") remember(elementSets_, "ELSET");
     if (name == "PART") part_ = inUpperCase(keyword_.value("NAME"));
     if (name == "ENDPART") part_.clear();
     if (name == "INSTANCE") {

@@ -158,7 +158,18 @@ class Deck {
     std::int64_t offset = 0;                     // of its numbers in the model
     std::vector<std::vector<double>> placement;  // translation; two points on an axis and an angle in degrees
   };
-  enum class Reading { nothing, nodes, elements, nodeSet, elementSet, placement, system };
+  enum class Reading {
+    nothing,
+    nodes,
+    elements,
+    nodeSet,
+    elementSet,
+    placement,
+    system,
+    nodeLine,
+    nodeFill,
+    elementRows
+  };
 
   void begin(const DeckLine& first) {
     finishData();
@@ -198,8 +209,13 @@ class Deck {
       axes_ = Eigen::Affine3d::Identity();
       systemNumbers_.clear();
       reading_ = Reading::system;
-    } else if (name == "NGEN" || name == "NFILL" || name == "NCOPY" || name == "ELGEN" || name == "ELCOPY" ||
-               name == "NMAP") {
+    } else if (name == "NGEN" || name == "NFILL" || name == "ELGEN") {
+      for (const auto& [parameter, value] : keyword_.parameters)
+        if (parameter != (name == "ELGEN" ? "ELSET" : "NSET"))
+          refuse(joinText("with ", parameter, " is not supported; write the ", name == "ELGEN" ? "elements" : "nodes",
+                          " out"));
+      reading_ = name == "NGEN" ? Reading::nodeLine : name == "NFILL" ? Reading::nodeFill : Reading::elementRows;
+    } else if (name == "NCOPY" || name == "ELCOPY" || name == "NMAP") {
       refuse("makes or moves nodes or elements and is not supported; write them out with *NODE and *ELEMENT");
     } else if (name != "HEADING" && !name.starts_with("END") && name != "ASSEMBLY") {
       ++skipped_["*" + name];
@@ -361,6 +377,15 @@ class Deck {
       case Reading::system:
         systemLine(line);
         break;
+      case Reading::nodeLine:
+        nodeLine(line);
+        break;
+      case Reading::nodeFill:
+        nodeFill(line);
+        break;
+      case Reading::elementRows:
+        elementRows(line);
+        break;
       case Reading::nodes:
         node(line);
         break;
@@ -389,13 +414,100 @@ class Deck {
     for (std::size_t k = 0; k < 3 && k + 1 < words.size(); ++k)
       if (!words[k + 1].empty())
         X[k] = lines_.real(words[k + 1], joinText("coordinate ", "xyz"[k], " of node ", id), line.position);
-    X = axes_ * X;
+    addNode(id, axes_ * X, line.position);
+  }
+  void addNode(std::int64_t id, const Eigen::Vector3d& X, std::size_t position) {
     const auto [known, isNew] = part().nodeOfId.try_emplace(id, part().nodes.size());
     if (isNew)
-      part().nodes.push_back({id, X, line.position});
+      part().nodes.push_back({id, X, position});
     else if (part().nodes[known->second].X != X)
-      lines_.failAt(line.position, joinText("node ", id, " is defined a second time, at another place"));
+      lines_.failAt(position, joinText("node ", id, " is defined a second time, at another place"));
     if (keyword_.has("NSET")) setOf(part().nodeSets, keyword_.value("NSET")).add(id);
+  }
+  /// By value: new nodes move the others.
+  Eigen::Vector3d placeOf(std::int64_t id, std::size_t position) {
+    const auto known = part().nodeOfId.find(id);
+    if (known == part().nodeOfId.end())
+      lines_.failAt(position, joinText("*", keyword_.name, ": node ", id, " is not defined above"));
+    return part().nodes[known->second].X;
+  }
+  /// The numbers of a line; those that it does not have, or leaves empty, are 1.
+  std::vector<std::int64_t> wholeNumbers(const DeckLine& line, std::size_t first, std::size_t count) {
+    const auto words = DeckLines::fields(line.text);
+    std::vector<std::int64_t> numbers(count, 1);
+    if (words.size() > first + count)
+      lines_.failAt(line.position, joinText("*", keyword_.name, " has ", words.size(),
+                                            " entries; it must have at most ", first + count));
+    for (std::size_t i = first; i < words.size(); ++i)
+      if (!words[i].empty())
+        numbers[i - first] = lines_.number(words[i], joinText("entry ", i + 1, " of *", keyword_.name), line.position);
+    return numbers;
+  }
+  /// Nodes from one to another in a straight line, both ends included.
+  void nodesBetween(std::int64_t first, std::int64_t last, std::int64_t step, std::int64_t intervals,
+                    std::size_t position) {
+    const Eigen::Vector3d a = placeOf(first, position), b = placeOf(last, position);
+    spend(static_cast<std::uint64_t>(intervals), keyword_.value("NSET"), position);
+    for (std::int64_t i = 0; i <= intervals; ++i) {
+      const double share = static_cast<double>(i) / static_cast<double>(intervals);
+      const bool isEnd = i == 0 || i == intervals;
+      addNode(i == intervals ? last : first + i * step,
+              isEnd ? (i == 0 ? a : b) : Eigen::Vector3d((1 - share) * a + share * b), position);
+    }
+  }
+  void nodeLine(const DeckLine& line) {
+    const auto n = wholeNumbers(line, 0, 3);
+    if (n[1] <= n[0] || (n[1] - n[0]) % n[2] != 0)
+      lines_.failAt(line.position, joinText("*NGEN goes from ", n[0], " to ", n[1], " by ", n[2],
+                                            "; the last number must be above the first by a multiple of that"));
+    nodesBetween(n[0], n[1], n[2], (n[1] - n[0]) / n[2], line.position);
+  }
+  /// Lines of nodes between those of two sets, of which equally many come in the order of their numbers.
+  void nodeFill(const DeckLine& line) {
+    const auto words = DeckLines::fields(line.text);
+    std::vector<std::int64_t> known, ends[2];
+    for (const auto& entry : part().nodeOfId) known.push_back(entry.first);
+    std::sort(known.begin(), known.end());
+    for (std::size_t side = 0; side < 2; ++side) {
+      const auto set = side < words.size() ? part().nodeSets.find(inUpperCase(words[side])) : part().nodeSets.end();
+      if (set == part().nodeSets.end())
+        lines_.failAt(line.position, "*NFILL needs two node sets that are defined above");
+      forEachMember(set->second, known, [&](std::int64_t id) { ends[side].push_back(id); });
+      sortUnique(ends[side]);
+    }
+    if (ends[0].size() != ends[1].size())
+      lines_.failAt(line.position, joinText("*NFILL is between sets of ", ends[0].size(), " and ", ends[1].size(),
+                                            " nodes; they must be equally many"));
+    const auto n = wholeNumbers(line, 2, 2);
+    for (std::size_t i = 0; i < ends[0].size(); ++i) nodesBetween(ends[0][i], ends[1][i], n[1], n[0], line.position);
+  }
+  /// Rows and layers of elements like one above: how many of each, and what is added to the numbers of nodes and
+  /// elements.
+  void elementRows(const DeckLine& line) {
+    const auto n = wholeNumbers(line, 0, 10);
+    const auto master = part().elementOfId.find(n[0]);
+    if (master == part().elementOfId.end())
+      lines_.failAt(line.position, joinText("*ELGEN: element ", n[0], " is not defined above"));
+    const Element first = part().elements[master->second];
+    constexpr std::int64_t most = 1'000'000'000;
+    if (n[1] > most / n[4] || n[1] * n[4] > most / n[7])
+      lines_.failAt(line.position, joinText("*ELGEN makes more than ", most, " elements"));
+    spend(static_cast<std::uint64_t>(n[1] * n[4] * n[7]), keyword_.value("ELSET"), line.position);
+    for (std::int64_t layer = 0; layer < n[7]; ++layer)
+      for (std::int64_t row = 0; row < n[4]; ++row)
+        for (std::int64_t i = 0; i < n[1]; ++i) {
+          Element made = first;
+          made.id += i * n[3] + row * n[6] + layer * n[9];
+          for (std::int64_t& node : made.nodes) node += i * n[2] + row * n[5] + layer * n[8];
+          made.position = line.position;
+          const std::int64_t id = made.id;
+          if (i + row + layer > 0) {
+            if (!part().elementOfId.emplace(id, part().elements.size()).second)
+              lines_.failAt(line.position, joinText("element ", id, " is defined a second time"));
+            part().elements.push_back(std::move(made));
+          }
+          if (keyword_.has("ELSET")) setOf(part().elementSets, keyword_.value("ELSET")).add(id);
+        }
   }
 
   void element(const DeckLine& line) {

@@ -178,7 +178,7 @@ TEST_F(InpTest, NamesFileAndLineOfWhatIsWrong) {
   expectError(deck("*NSET, NSET=a, GENERATE\n9, 1\n"), "30", "must not be below");
   expectError(deck("*INCLUDE, INPUT=nowhere.inp\n"), "29", "there is no such file");
   expectError(deck("*INCLUDE\n"), "29", "INPUT=");
-  expectError(deck("*NGEN\n1, 2, 1\n"), "29", "not supported");
+  expectError(deck("*NCOPY\n1, 2, 1\n"), "29", "not supported");
   expectError(deck("*ELEMENT, TYPE=C3D15\n60, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 1, 2, 3\n"), "30", "wedge15");
 }
 
@@ -218,7 +218,7 @@ TEST_F(InpTest, TakesALastLineWithoutALineEndWithANote) {
 // As preprocessors write them: sets above the nodes, and nodes again.
 TEST_F(InpTest, TakesSetsAboveTheirNodesAndNodesAgain) {
   const Mesh mesh = read("*NSET, NSET=early\n1, 4\n" + deck("*NODE, NSET=again\n1, 0., 0., 0.\n3, 1., 1., 0.\n"));
-  EXPECT_EQ(mesh.nodeCount(), 12);
+  EXPECT_EQ(mesh.nodeCount(), 12u);
   EXPECT_THAT(mesh.nodeSets.at("early"), ElementsAre(0, 3));
   EXPECT_THAT(mesh.nodeSets.at("again"), ElementsAre(0, 2));
   EXPECT_THAT(error("*NSET, NSET=early\n1, 99\n" + deck()),
@@ -242,6 +242,64 @@ TEST_F(InpTest, TakesNodesInAxesOfTheirOwn) {
   EXPECT_EQ(read("*SYSTEM\n5., 0., 0.\n*SYSTEM\n*NODE\n" + cube).X.col(0), Eigen::Vector3d(0, 0, 0));
   EXPECT_THAT(error("*SYSTEM\n1., 0., 0., 1., 2., 0.\n*NODE\n" + cube), HasSubstr(":1: *SYSTEM has 6 numbers"));
   EXPECT_THAT(error("*SYSTEM\n0,0,0,1,0,0\n2,0,0\n*NODE\n" + cube), HasSubstr(":3: *SYSTEM: the three points lie"));
+}
+
+// A bar of 3 x 2 x 2 cubes by lines, faces and rows is the one whose nodes and elements are written out.
+TEST_F(InpTest, TakesNodesAndElementsThatAreMade) {
+  const std::string made = R"(*NODE
+1, 0., 0., 0.
+4, 3., 0., 0.
+201, 0., 2., 0.
+204, 3., 2., 0.
+10001, 0., 0., 2.
+10004, 3., 0., 2.
+10201, 0., 2., 2.
+10204, 3., 2., 2.
+*NGEN, NSET=a
+1, 4
+*NGEN, NSET=b
+201, 204, 1
+*NGEN, NSET=c
+10001, 10004
+*NGEN, NSET=d
+10201, 10204
+*NFILL, NSET=below
+a, b, 2, 100
+*NFILL, NSET=above
+c, d, 2, 100
+*NFILL, NSET=all
+below, above, 2, 5000
+*ELEMENT, TYPE=C3D8
+1, 1, 2, 102, 101, 5001, 5002, 5102, 5101
+*ELGEN, ELSET=bar
+1, 3, 1, 1, 2, 100, 10, 2, 5000, 100
+)";
+  const Mesh mesh = read(made);
+  ASSERT_EQ(mesh.nodeCount(), 36u);
+  ASSERT_EQ(mesh.elementCount(), 12u);
+  EXPECT_EQ(mesh.elementSets.at("bar").size(), 12u);
+  EXPECT_EQ(mesh.nodeSets.at("below").size(), 12u);
+  EXPECT_EQ(mesh.nodeSets.at("all").size(), 36u);
+  for (std::int32_t node = 0; node < 36; ++node) {
+    const std::int64_t id = mesh.nodeId(node) - 1;
+    const Eigen::Vector3d place(static_cast<double>(id % 100), static_cast<double>(id % 5000 / 100),
+                                static_cast<double>(id / 5000));
+    EXPECT_LT((mesh.X.col(node) - place).norm(), 1e-15) << id + 1;
+  }
+  for (std::size_t e = 0; e < 12; ++e) {
+    const std::int64_t id = mesh.blocks[0].id(e) - 1, x = id % 10, y = id % 100 / 10, z = id / 100;
+    EXPECT_EQ(mesh.nodeId(mesh.blocks[0].element(e)[0]), 1 + x + 100 * y + 5000 * z);
+  }
+  EXPECT_NEAR(meshVolume(mesh), 12, 1e-13);
+
+  EXPECT_THAT(error(deck("*NGEN\n1, 99\n")), HasSubstr(":30: *NGEN: node 99 is not defined above"));
+  EXPECT_THAT(error(deck("*NGEN\n1, 4, 2\n")), HasSubstr(":30: *NGEN goes from 1 to 4 by 2"));
+  EXPECT_THAT(error(deck("*NGEN, LINE=C\n1, 4\n")), HasSubstr(":29: *NGEN with LINE is not supported"));
+  EXPECT_THAT(error(deck("*NSET, NSET=a\n1, 2\n*NSET, NSET=b\n3\n*NFILL\na, b, 2, 100\n")),
+              HasSubstr(":34: *NFILL is between sets of 2 and 1 nodes"));
+  EXPECT_THAT(error(deck("*NFILL\na, b, 2, 100\n")), HasSubstr(":30: *NFILL needs two node sets"));
+  EXPECT_THAT(error(deck("*ELGEN\n99, 2\n")), HasSubstr(":30: *ELGEN: element 99 is not defined above"));
+  EXPECT_THAT(error(deck("*ELGEN\n10, 2000000, 1, 1, 2000000\n")), HasSubstr(":30: *ELGEN makes more than"));
 }
 
 /// Writes files beside each other; the first name is the deck's.
