@@ -438,9 +438,14 @@ class Deck {
     if (words.size() > first + count)
       lines_.failAt(line.position, joinText("*", keyword_.name, " has ", words.size(),
                                             " entries; it must have at most ", first + count));
-    for (std::size_t i = first; i < words.size(); ++i)
-      if (!words[i].empty())
-        numbers[i - first] = lines_.number(words[i], joinText("entry ", i + 1, " of *", keyword_.name), line.position);
+    constexpr std::int64_t most = 100'000'000'000;  // times as many as are made it is far from the largest number
+    for (std::size_t i = first; i < words.size(); ++i) {
+      if (words[i].empty()) continue;
+      const std::string what = joinText("entry ", i + 1, " of *", keyword_.name);
+      const std::int64_t number = lines_.number(words[i], what, line.position);
+      if (number > most) lines_.failAt(line.position, joinText(what, " is ", number, "; it must be at most ", most));
+      numbers[i - first] = number;
+    }
     return numbers;
   }
   /// Nodes from one to another in a straight line, both ends included.
@@ -451,7 +456,7 @@ class Deck {
     for (std::int64_t i = 0; i <= intervals; ++i) {
       const double share = static_cast<double>(i) / static_cast<double>(intervals);
       const bool isEnd = i == 0 || i == intervals;
-      addNode(i == intervals ? last : first + i * step,
+      addNode(i == intervals ? last : shifted(first, i * step),
               isEnd ? (i == 0 ? a : b) : Eigen::Vector3d((1 - share) * a + share * b), position);
     }
   }
@@ -497,8 +502,8 @@ class Deck {
       for (std::int64_t row = 0; row < n[4]; ++row)
         for (std::int64_t i = 0; i < n[1]; ++i) {
           Element made = first;
-          made.id += i * n[3] + row * n[6] + layer * n[9];
-          for (std::int64_t& node : made.nodes) node += i * n[2] + row * n[5] + layer * n[8];
+          made.id = shifted(made.id, i * n[3] + row * n[6] + layer * n[9]);
+          for (std::int64_t& node : made.nodes) node = shifted(node, i * n[2] + row * n[5] + layer * n[8]);
           made.position = line.position;
           const std::int64_t id = made.id;
           if (i + row + layer > 0) {

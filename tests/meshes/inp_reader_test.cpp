@@ -299,6 +299,7 @@ below, above, 2, 5000
               HasSubstr(":34: *NFILL is between sets of 2 and 1 nodes"));
   EXPECT_THAT(error(deck("*NFILL\na, b, 2, 100\n")), HasSubstr(":30: *NFILL needs two node sets"));
   EXPECT_THAT(error(deck("*ELGEN\n99, 2\n")), HasSubstr(":30: *ELGEN: element 99 is not defined above"));
+  EXPECT_THAT(error(deck("*ELGEN\n10, 2, 1000000000000\n")), HasSubstr(":30: entry 3 of *ELGEN is 1000000000000; it"));
   EXPECT_THAT(error(deck("*ELGEN\n10, 2000000, 1, 1, 2000000\n")), HasSubstr(":30: *ELGEN makes more than"));
 }
 
