@@ -281,9 +281,8 @@ below, above, 2, 5000
   EXPECT_EQ(mesh.nodeSets.at("below").size(), 12u);
   EXPECT_EQ(mesh.nodeSets.at("all").size(), 36u);
   for (std::int32_t node = 0; node < 36; ++node) {
-    const std::int64_t id = mesh.nodeId(node) - 1;
-    const Eigen::Vector3d place(static_cast<double>(id % 100), static_cast<double>(id % 5000 / 100),
-                                static_cast<double>(id / 5000));
+    const std::int64_t id = mesh.nodeId(node) - 1, x = id % 100, y = id % 5000 / 100, z = id / 5000;
+    const Eigen::Vector3d place = Eigen::Vector<std::int64_t, 3>(x, y, z).cast<double>();
     EXPECT_LT((mesh.X.col(node) - place).norm(), 1e-15) << id + 1;
   }
   for (std::size_t e = 0; e < 12; ++e) {
