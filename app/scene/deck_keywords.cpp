@@ -338,7 +338,7 @@ constexpr DeckSolid solids[] = {
     {"C3D20H", "hex20", "gauss-3x3x3", hybrid},
     {"C3D20R", "hex20", "gauss-2x2x2"},
     {"C3D20RH", "hex20", "gauss-2x2x2", hybrid},
-    {"C3D8I", "", "", "its incompatible modes are not ours"},
+    {"C3D8I", "", "", "its incompatible modes are not ours; C3D8 and C3D8R are taken"},
     {"C3D10T", "", "", noElement},
     {"C3D15", "", "", noElement},
 };

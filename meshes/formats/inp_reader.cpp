@@ -420,6 +420,10 @@ class Deck {
     const auto [known, isNew] = part().nodeOfId.try_emplace(id, part().nodes.size());
     if (isNew)
       part().nodes.push_back({id, X, position});
+    else if (current_ == nullptr && !order_.empty())
+      lines_.failAt(position, joinText("node ", id,
+                                       " of the assembly is defined a second time; its numbers are those "
+                                       "that its instances leave free"));
     else if (part().nodes[known->second].X != X)
       lines_.failAt(position, joinText("node ", id, " is defined a second time, at another place"));
     if (keyword_.has("NSET")) setOf(part().nodeSets, keyword_.value("NSET")).add(id);

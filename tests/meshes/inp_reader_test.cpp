@@ -225,6 +225,11 @@ TEST_F(InpTest, TakesSetsAboveTheirNodesAndNodesAgain) {
               HasSubstr(":2: set early holds node 99, which no *NODE defines"));
   EXPECT_THAT(error(deck("*NODE\n1, 0., 0., 1e-9\n")),
               HasSubstr(":30: node 1 is defined a second time, at another place"));
+  // A node of the assembly is another one than that of an instance, wherever it lies.
+  EXPECT_THAT(error("*PART, NAME=p\n" + deck() +
+                    "*END PART\n*ASSEMBLY\n*INSTANCE, NAME=i, PART=p\n*END INSTANCE\n*NODE\n"
+                    "1, 0., 0., 0.\n*END ASSEMBLY\n"),
+              HasSubstr(": node 1 of the assembly is defined a second time"));
 }
 
 // The axes of *SYSTEM turn a unit cube by a right angle about z and move it: x' is y, y' is -x.
