@@ -1183,20 +1183,19 @@ class DeckReader {
         continue;
       }
       // The nodes of each side touch the faces of the other, if it has any.
-      const auto write = [&](const std::string& nodes, const std::string& faces) {
-        const auto [own, ofNodes] = contactSide(nodes, contact.position);
-        const auto [touched, noFaces] = contactSide(faces, contact.position);
-        if (noFaces) return;
-        Json sides = entry;
-        sides["to_set"] = touched;
-        last_.erase("contact");
-        addEntry("contact", own, sides, contact.position);
-      };
-      if (contactSide(contact.faces, contact.position).second)
+      const auto one = contactSide(contact.nodes, contact.position),
+                 other = contactSide(contact.faces, contact.position);
+      if (other.second)
         lines_.failAt(contact.position, fmt::format("*CONTACT PAIR: {} has no faces; a *SURFACE of TYPE=ELEMENT has",
                                                     inQuotes(contact.faces)));
-      write(contact.nodes, contact.faces);
-      if (contact.nodes != contact.faces) write(contact.faces, contact.nodes);
+      const auto write = [&](const std::string& nodes, const std::string& faces) {
+        Json sides = entry;
+        sides["to_set"] = faces;
+        last_.erase("contact");
+        addEntry("contact", nodes, sides, contact.position);
+      };
+      write(one.first, other.first);
+      if (!one.second && contact.nodes != contact.faces) write(other.first, one.first);
     }
   }
   /// The nodes of a surface, "#3,7", and whether it has no faces.
