@@ -25,8 +25,8 @@ if(RINGWATCH_PYTHON)
   set(CPACK_DEBIAN_PACKAGE_DEPENDS
     "python3 (>= ${CMAKE_MATCH_1}.${CMAKE_MATCH_2}), python3 (<< ${CMAKE_MATCH_1}.${next}), python3-numpy")
 endif()
-# What those need who build against the libraries, and gnuplot for the pictures of a run.
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "gnuplot-nox, libeigen3-dev, libspectra-dev")
+# What those need who build against the libraries, gnuplot for the pictures of a run, and meshio for meshes of other programs.
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "gnuplot-nox, libeigen3-dev, libspectra-dev, python3-meshio, python3-h5py, python3-netcdf4")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libvtk9-dev, libsundials-dev, paraview")
 set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/debian/finish.cmake)
 set(CPACK_PROJECT_CONFIG_FILE "")

@@ -67,6 +67,10 @@ constexpr MeshFormatEntry formatsOfLibrary[] = {
     {{".inp", "Abaqus or CalculiX deck", "nodes, elements and their sets; a note names what is skipped", false},
      detail::readInp,
      detail::startsWithDeck},
+    {.info = {".exo/.med/.xdmf/.mesh/.bdf", "what meshio reads",
+              "Exodus, MED, XDMF, Medit, Nastran, Netgen, CGNS, SU2 and others, with their groups; python3-meshio is "
+              "called",
+              false}},  // `read` below finds the one of them
 };
 
 Registry<MeshFormatEntry>& registry() {
@@ -92,11 +96,14 @@ Mesh read(const fs::path& path, detail::Notes* notes, detail::Problems* problems
     return &format == named || (format.isBegin != nullptr && format.isBegin(text));
   };
   if (std::ranges::none_of(entries.subspan(std::size(formatsOfLibrary)), isRegistered))
-    detail::refuseForeign(path, text);
+    if (const detail::ForeignFormat* foreign = detail::foreignByContent(text); foreign != nullptr)
+      return detail::readForeign(*foreign, path, notes, problems);
   // The content decides; the extension only helps where the content says nothing.
   for (const MeshFormatEntry& format : entries)
     if (format.isBegin != nullptr && format.isBegin(text)) return format.read(path, text, notes, problems);
   if (named != nullptr && named->mustBegin.empty()) return named->read(path, text, notes, problems);
+  if (const detail::ForeignFormat* foreign = named == nullptr ? detail::foreignByExtension(path) : nullptr)
+    return detail::readForeign(*foreign, path, notes, problems);
   const std::string begin = detail::quoted(std::string_view(text).substr(0, text.find_first_of("\r\n")));
   if (named != nullptr)
     throw InputError(

@@ -72,9 +72,7 @@ std::string whatIsMeant(std::string_view content, std::size_t line) {
 bool isMeshFile(const std::filesystem::path& file) {
   const std::string extension = file.extension().string();
   return !extension.empty() && std::ranges::any_of(allMeshFormats(), [&](const MeshFormatInfo& format) {
-    const std::string known = " " + std::string(format.extensions) + " ";
-    return known.find(" " + extension + " ") != std::string::npos ||
-           known.find(" " + extension + ",") != std::string::npos;
+    return (std::string(format.extensions) + "/").find(extension + "/") != std::string::npos;
   });
 }
 

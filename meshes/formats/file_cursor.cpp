@@ -87,57 +87,6 @@ std::string readWholeFile(const std::filesystem::path& path) {
   return text;
 }
 
-void refuseForeign(const std::filesystem::path& path, std::string_view text) {
-  struct Foreign {
-    std::string_view begin, name;
-  };
-  constexpr Foreign formats[] = {
-      {"*KEYWORD", "an LS-DYNA deck"},
-      {"#RADIOSS", "a Radioss deck"},
-      {"/BEGIN", "a Radioss deck"},
-      {"/PREP7", "an Ansys deck"},
-      {"/COM", "an Ansys deck"},
-      {"/BATCH", "an Ansys deck"},
-      {"BEGIN BULK", "a Nastran deck"},
-      {"SOL ", "a Nastran deck"},
-      {"CEND", "a Nastran deck"},
-      {"GRID", "a Nastran deck"},
-      {"MESH ", "a GiD mesh"},
-      {"(0 ", "a Fluent mesh"},
-      {"(1 ", "a Fluent mesh"},
-      {"(2 ", "a Fluent mesh"},
-      {"MeshVersionFormatted", "a Medit mesh"},
-      {"mesh3d", "a Netgen mesh"},
-      {"$NOD", "a mesh of gmsh's version 1"},
-      {"CDF\x01", "a netCDF file, as of Exodus"},
-      {"CDF\x02", "a netCDF file, as of Exodus"},
-      {"CDF\x05", "a netCDF file, as of Exodus"},
-      {"\x89HDF", "an HDF5 file, as of MED, CGNS, Exodus and XDMF"},
-      {"solid", "a surface in STL"},
-      {"ply", "a surface in PLY"},
-      {"OFF", "a surface in OFF"},
-      {"ISO-10303-21", "a geometry in STEP"},
-      {"-1\n", "a universal file (UNV)"},
-      {"-1\r", "a universal file (UNV)"},
-  };
-  std::string_view begin = text.substr(std::min(text.find_first_not_of(" \t\r\n\xEF\xBB\xBF"), text.size()));
-  std::string_view name;
-  for (const Foreign& format : formats)
-    if (inUpperCase(begin.substr(0, format.begin.size())) == inUpperCase(format.begin)) name = format.name;
-  if (begin.starts_with('<')) {
-    // The first tag that is neither a declaration nor a comment.
-    std::size_t at = 0;
-    while (at != std::string_view::npos && (begin.substr(at, 2) == "<?" || begin.substr(at, 2) == "<!"))
-      at = begin.find('<', at + 1);
-    const std::string_view root = at == std::string_view::npos ? std::string_view() : begin.substr(at);
-    if (root.starts_with("<Xdmf")) name = "an XDMF file";
-    if (root.starts_with("<dolfin")) name = "a mesh of dolfin";
-  }
-  if (!name.empty())
-    throw InputError(joinText(path.string(), ":1: this is ", name,
-                              ", which is not read; gmsh, meshio and most meshers write .msh, .vtu or .inp"));
-}
-
 std::string inUpperCase(std::string_view word) {
   std::string text(word);
   for (char& c : text) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;

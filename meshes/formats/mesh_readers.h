@@ -67,6 +67,16 @@ std::vector<std::pair<std::int64_t, Eigen::Vector3d>> frdVectors(const std::file
 /// does not come out so. Throws InputError for an unknown compressor, and for any in a build without VTK.
 bool unpack(const std::string& source, const std::string& compressor, const char* in, std::size_t inSize, char* out,
             std::size_t outSize);
+/// A format that ringwatch does not read itself: by what the text begins with, or by the extension; nullptr where that
+/// tells none.
+struct ForeignFormat;
+const ForeignFormat* foreignByContent(std::string_view text);
+const ForeignFormat* foreignByExtension(const std::filesystem::path& path);
+/// Has meshio read a mesh, as a program that is called, and reads what it has written. Throws InputError as well where
+/// meshio is missing, and for a format that it does not read either, which is named.
+Mesh readForeign(const ForeignFormat& format, const std::filesystem::path& path, Notes* notes, Problems* problems);
+/// read_by_meshio.py
+std::string_view readByMeshioScript();
 void writeMsh(const Mesh& mesh, const std::filesystem::path& path, bool version4, bool binary);
 void writeVtuWithSets(const Mesh& mesh, const std::filesystem::path& path);
 

@@ -1,0 +1,145 @@
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+#include <ringwatch/base/scratch_folder.h>
+#include <ringwatch/base/subprocess.h>
+#include <ringwatch/meshes/formats/file_cursor.h>
+#include <ringwatch/meshes/formats/mesh_readers.h>
+
+namespace ringwatch::detail {
+
+/// A format that ringwatch does not read itself.
+struct ForeignFormat {
+  std::string_view begin;       // of the text, in capitals or not; "": its files begin in several ways
+  std::string_view extensions;  // that tell it where the text does not, each with a space on both sides
+  std::string_view name;
+  std::string_view kind;    // for read_by_meshio.py; "": meshio cannot read it either
+  std::string_view advice;  // where meshio cannot
+};
+
+namespace {
+
+constexpr std::string_view writeAnother = "gmsh, meshio and most meshers write .msh, .vtu or .inp";
+constexpr std::string_view fillIt = "a surface has no volume elements; gmsh and tetgen fill one with tetrahedra";
+constexpr std::string_view throughGmsh =
+    "gmsh makes a mesh with its groups of it: gmsh -0 IN.unv -save_all -format msh41 -o OUT.msh";
+constexpr std::string_view cellsByFaces = "it gives cells by their faces; write the mesh as .msh of gmsh or as .inp";
+constexpr std::string_view meshOfFlex =
+    "it tells how to make a mesh; gmsh makes one, and .msh is what its flexcomp reads";
+
+constexpr ForeignFormat formats[] = {
+    {"MeshVersionFormatted", " .mesh .meshb ", "a Medit mesh", "medit", {}},
+    {"BEGIN BULK", " .bdf .nas .fem ", "a Nastran deck", "nastran", {}},
+    {"SOL ", {}, "a Nastran deck", "nastran", {}},
+    {"CEND", {}, "a Nastran deck", "nastran", {}},
+    {"GRID", {}, "a Nastran deck", "nastran", {}},
+    {"CDF\x01", {}, "a netCDF file, as of Exodus", "exodus", {}},
+    {"CDF\x02", {}, "a netCDF file, as of Exodus", "exodus", {}},
+    {"CDF\x05", {}, "a netCDF file, as of Exodus", "exodus", {}},
+    {"\x89HDF", {}, "an HDF5 file, as of MED, CGNS, Exodus and XDMF", "hdf5", {}},
+    {"<Xdmf", {}, "an XDMF file", "xdmf", {}},
+    {"<dolfin", {}, "a mesh of dolfin", "dolfin-xml", {}},
+    {"mesh3d", " .vol ", "a Netgen mesh", "netgen", {}},
+    {"* FLAC3D", " .f3grid ", "a FLAC3D grid", "flac3d", {}},
+    {"NDIME", " .su2 ", "an SU2 mesh", "su2", {}},
+    {"Begin ", " .mdpa ", "a model part of Kratos", "mdpa", {}},
+    {{}, " .avs .ucd ", "a mesh of AVS-UCD", "avsucd", {}},
+    {{}, " .ugrid ", "a UGRID mesh", "ugrid", {}},
+    {{}, " .tec ", "a Tecplot file", "tecplot", {}},
+    {{}, " .dato .post ", "a PERMAS file", "permas", {}},
+    {"*KEYWORD", " .k .key .dyn ", "an LS-DYNA deck", {}, writeAnother},
+    {"#RADIOSS", " .rad ", "a Radioss deck", {}, writeAnother},
+    {"/BEGIN", {}, "a Radioss deck", {}, writeAnother},
+    {"/PREP7", " .cdb ", "an Ansys deck", {}, writeAnother},
+    {"/COM", {}, "an Ansys deck", {}, writeAnother},
+    {"/BATCH", {}, "an Ansys deck", {}, writeAnother},
+    {"MESH ", {}, "a GiD mesh", {}, writeAnother},
+    {"(0 ", {}, "a Fluent mesh", {}, cellsByFaces},
+    {"(1 ", {}, "a Fluent mesh", {}, cellsByFaces},
+    {"(2 ", {}, "a Fluent mesh", {}, cellsByFaces},
+    {"$NOD", {}, "a mesh of gmsh's version 1", {}, writeAnother},
+    {"solid", " .stl ", "a surface in STL", {}, fillIt},
+    {"ply", {}, "a surface in PLY", {}, fillIt},
+    {"OFF", {}, "a surface in OFF", {}, fillIt},
+    {{}, " .obj ", "a surface in OBJ", {}, fillIt},
+    {"ISO-10303-21", " .step .stp ", "a geometry in STEP", {}, "gmsh makes a mesh of it"},
+    {"-1\n", " .unv ", "a universal file (UNV)", {}, throughGmsh},
+    {"-1\r", {}, "a universal file (UNV)", {}, throughGmsh},
+    {"<mujoco", {}, "a model of MuJoCo (MJCF)", {}, meshOfFlex},
+};
+
+[[noreturn]] void refuse(const std::filesystem::path& path, const ForeignFormat& format) {
+  throw InputError(joinText(path.string(), ":1: this is ", format.name, ", which is not read; ", format.advice));
+}
+
+std::vector<std::string> linesOf(const std::filesystem::path& path) {
+  std::vector<std::string> lines;
+  std::ifstream file(path);
+  for (std::string line; std::getline(file, line);) lines.push_back(line);
+  return lines;
+}
+
+}  // namespace
+
+const ForeignFormat* foreignByContent(std::string_view text) {
+  std::string_view begin = text.substr(std::min(text.find_first_not_of(" \t\r\n\xEF\xBB\xBF"), text.size()));
+  // Of XML the first tag that is neither a declaration nor a comment tells the format.
+  while (begin.starts_with("<?") || begin.starts_with("<!"))
+    begin.remove_prefix(std::min(begin.find('<', 1), begin.size()));
+  for (const ForeignFormat& format : formats)
+    if (!format.begin.empty() && inUpperCase(begin.substr(0, format.begin.size())) == inUpperCase(format.begin))
+      return &format;
+  return nullptr;
+}
+
+const ForeignFormat* foreignByExtension(const std::filesystem::path& path) {
+  const std::string extension = joinText(" ", path.extension().string(), " ");
+  for (const ForeignFormat& format : formats)
+    if (extension.size() > 2 && format.extensions.find(extension) != std::string_view::npos) return &format;
+  return nullptr;
+}
+
+Mesh readForeign(const ForeignFormat& format, const std::filesystem::path& path, Notes* notes, Problems* problems) {
+  if (format.kind.empty()) refuse(path, format);
+  const std::string source = path.string();
+  if (!std::filesystem::is_regular_file(path))
+    throw InputError(joinText(source, ": this is ", format.name, ", which is read from a file, not from a pipe"));
+  const ScratchFolder folder;
+  ProgramResult result;
+  std::vector<std::string> said;
+  // Debian's packages are modules of Debian's Python, which another one may stand before on the search path.
+  for (const char* python : {"python3", "/usr/bin/python3"}) {
+    result = runProgram({python, "-c", std::string(readByMeshioScript()), std::filesystem::absolute(path).string(),
+                         std::string(format.kind), folder.path().string()},
+                        folder.path());
+    said = linesOf(folder.path() / "said");
+    constexpr int moduleMissing = 3;
+    if (result.found && result.status != moduleMissing) break;
+    if (said.empty()) said.emplace_back("python3");
+  }
+  if (result.found && result.status == 0) {
+    const std::filesystem::path converted = folder.path() / "mesh.vtu";
+    if (notes != nullptr)
+      for (const std::string& line : said) notes->push_back(joinText(source, ": ", line));
+    return readVtu(path, readWholeFile(converted), notes, problems);
+  }
+  if (result.found && result.status == 1 && !said.empty())
+    throw InputError(joinText(source, ": this is ", format.name, "; ", said.front()));
+  if (result.found && result.status != 3)
+    throw InputError(
+        joinText(source, ": this is ", format.name, "; reading it by meshio ended with status ", result.status));
+  throw InputError(joinText(source, ": this is ", format.name,
+                            ", which meshio reads: install python3-meshio, "
+                            "python3-h5py and python3-netcdf4, as scripts/setup does; missing is ",
+                            said.front()));
+}
+
+void refuseForeign(const std::filesystem::path& path, std::string_view text) {
+  const ForeignFormat* const format = foreignByContent(text);
+  if (format == nullptr) return;
+  if (format->kind.empty()) refuse(path, *format);
+  throw InputError(joinText(path.string(), ":1: this is ", format->name, ", which is read as a mesh, not here"));
+}
+
+}  // namespace ringwatch::detail

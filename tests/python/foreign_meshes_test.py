@@ -1,0 +1,300 @@
+"""Meshes in the formats that meshio reads, against meshio's own reading of the same file, to the last bit of coordinates."""
+import json
+import os
+import pathlib
+import subprocess
+from typing import Any
+
+import meshio  # type: ignore[import]
+import netCDF4  # type: ignore[import]
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+import ringwatch as rw
+from support import PROGRAM
+
+NAMES = {"tetra": "tet4", "tetra10": "tet10", "hexahedron": "hex8", "hexahedron20": "hex20", "wedge": "wedge6",
+         "pyramid": "pyramid5"}
+ELEMENTS = {ours: theirs for theirs, ours in NAMES.items()}
+LINEAR = ["tet4", "hex8", "wedge6", "pyramid5"]
+# What meshio writes of each format, by extension.
+WRITTEN = {
+    "exo": ("exodus", ["tet10", "hex8", "hex20", "wedge6", "pyramid5"]),
+    "med": ("med", [*LINEAR, "tet10", "hex20"]),
+    "xdmf": ("xdmf", [*LINEAR, "tet10", "hex20"]),
+    "mesh": ("medit", LINEAR),
+    "meshb": ("medit", LINEAR),
+    "bdf": ("nastran", [*LINEAR, "tet10", "hex20"]),
+    "vol": ("netgen", LINEAR),
+    "su2": ("su2", LINEAR),
+    "xml": ("dolfin-xml", ["tet4"]),
+    "f3grid": ("flac3d", LINEAR),
+    "avs": ("avsucd", LINEAR),
+    "cgns": ("cgns", ["tet4"]),
+    "h5m": ("h5m", ["tet4"]),
+    "mdpa": ("mdpa", ["tet4", "hex8", "wedge6"]),
+    "ugrid": ("ugrid", LINEAR),
+}
+CASES = [(extension, element) for extension, (_, elements) in WRITTEN.items() for element in elements]
+
+
+def call(*arguments: object) -> "subprocess.CompletedProcess[str]":
+    return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True)
+
+
+def a_mesh(element: str) -> tuple[NDArray[np.float64], list[tuple[str, NDArray[np.int64]]]]:
+    """A bar whose coordinates use all bits, and triangles and quads at its end as meshers write them beside."""
+    mesh = rw.generate_mesh("bar", size=[0.6, 0.2, 0.2], cells=[3, 1, 1], element=element)
+    points = mesh.points + 1e-3 * np.random.default_rng(1).random(mesh.points.shape)
+    if element in ("tet10", "hex20"):  # straight edges, so that no middle is far from its own
+        points = mesh.points / 3
+    return points, [(ELEMENTS[name], np.asarray(cells, dtype=np.int64)) for name, cells in mesh.blocks]
+
+
+@pytest.mark.parametrize("extension,element", CASES)
+def test_a_mesh_of_each_format_is_that_of_meshio(tmp_path: pathlib.Path, extension: str, element: str) -> None:
+    format, _ = WRITTEN[extension]
+    points, cells = a_mesh(element)
+    file = tmp_path / f"mesh.{extension}"
+    meshio.write(file, meshio.Mesh(points, cells), file_format=format)
+    theirs = meshio.read(file, file_format=format)
+    ours = rw.load_mesh(file)
+    assert np.array_equal(np.asarray(theirs.points), ours.points), "coordinates differ"
+    if extension not in ("bdf", "ugrid"):  # whose numbers have some digits
+        assert np.array_equal(points, ours.points)
+    read = [(NAMES[block.type], block.data) for block in theirs.cells]
+    if extension == "med":  # which meshio sorts by type
+        read.sort(key=lambda own: [name for name, _ in ours.blocks].index(own[0]))
+    assert [name for name, _ in ours.blocks] == list(dict.fromkeys(name for name, _ in read))
+    for name, connectivity in ours.blocks:
+        theirs_of_type = np.concatenate([data for own, data in read if own == name])
+        if (extension, name) == ("f3grid", "wedge6"):  # which meshio mirrors
+            connectivity, theirs_of_type = np.sort(connectivity), np.sort(theirs_of_type)
+        assert np.array_equal(connectivity, theirs_of_type)
+
+
+def numbers(mesh: rw.Mesh, file: pathlib.Path) -> tuple[list[int], list[int]]:
+    """The numbers of nodes and elements that the mesh has kept, as a text file of gmsh has them."""
+    mesh.save(file)
+    lines = [line.split() for line in file.read_text().splitlines()]
+    at, tags = lines.index(["$Nodes"]) + 2, []
+    while lines[at] != ["$EndNodes"]:
+        count = int(lines[at][3])
+        tags += [int(line[0]) for line in lines[at + 1 : at + 1 + count]]
+        at += 1 + 2 * count
+    at, of_elements = lines.index(["$Elements"]) + 2, []
+    while lines[at] != ["$EndElements"]:
+        count = int(lines[at][3])
+        of_elements += [int(line[0]) for line in lines[at + 1 : at + 1 + count] if lines[at][0] == "3"]
+        at += 1 + count
+    return tags, of_elements
+
+
+def test_numbers_are_those_of_the_file(tmp_path: pathlib.Path) -> None:
+    """Nastran has numbers of its own, Medit counts from 1."""
+    points, cells = a_mesh("hex8")
+    meshio.write(tmp_path / "m.mesh", meshio.Mesh(points, cells))
+    assert numbers(rw.load_mesh(tmp_path / "m.mesh"), tmp_path / "m.msh")[0] == list(range(1, len(points) + 1))
+    (tmp_path / "own.bdf").write_text("CEND\nBEGIN BULK\nGRID,7,,0.,0.,0.\nGRID,9,,1.,0.,0.\nGRID,8,,0.,1.,0.\n"
+                                      "GRID,70,,0.,0.,1.\nCTETRA,55,1,7,9,8,70\nENDDATA\n")
+    mesh = rw.load_mesh(tmp_path / "own.bdf")
+    assert numbers(mesh, tmp_path / "own.msh") == ([7, 9, 8, 70], [55])
+    assert list(mesh.cell_sets["volume-1"][0]) == [0]
+
+
+def write_med(file: pathlib.Path) -> None:
+    points, cells = a_mesh("tet4")
+    end = np.flatnonzero(points[:, 0] < 0.1)
+    tags = np.zeros(len(points), np.int64)
+    tags[end] = 2
+    halves = np.where(points[cells[0][1], 0].mean(axis=1) < 0.3, -6, -7)
+    mesh = meshio.Mesh(points, cells, point_data={"point_tags": tags}, cell_data={"cell_tags": [halves]})
+    mesh.point_tags, mesh.cell_tags = {2: ["clamp"]}, {-6: ["near", "steel"], -7: ["far", "steel"]}
+    meshio.write(file, mesh)
+
+
+def write_medit(file: pathlib.Path) -> None:
+    points, cells = a_mesh("tet4")
+    face = np.flatnonzero(points[:, 0] < 0.1)
+    tetrahedra = cells[0][1]
+    triangles = np.array([[n for n in t if n in face] for t in tetrahedra if np.isin(t, face).sum() == 3])
+    marks = np.where(points[tetrahedra, 0].mean(axis=1) < 0.3, 6, 7)
+    meshio.write(file, meshio.Mesh(points, [("triangle", triangles), cells[0]],
+                                   point_data={"medit:ref": np.zeros(len(points), int)},
+                                   cell_data={"medit:ref": [np.full(len(triangles), 4), marks]}))
+
+
+@pytest.mark.parametrize("write,extension,clamp,near,far", [
+    (write_med, "med", "clamp", "near", "far"), (write_medit, "mesh", "surface-4", "volume-6", "volume-7"),
+    (write_medit, "xdmf", "surface-4", "volume-6", "volume-7")])  # fmt: skip
+def test_groups_are_sets_that_a_scene_can_hold(tmp_path: pathlib.Path, write: Any, extension: str, clamp: str, near: str,
+                                               far: str) -> None:
+    file = tmp_path / f"mesh.{extension}"
+    write(file)
+    mesh = rw.load_mesh(file)
+    held = np.flatnonzero(mesh.points[:, 0] < 0.1)
+    assert len(held) and list(mesh.node_sets[clamp]) == list(held)
+    middle = mesh.points[mesh.cells["tet4"], 0].mean(axis=1)
+    assert list(mesh.cell_sets[near][0]) == list(np.flatnonzero(middle < 0.3))
+    (tmp_path / "scene.toml").write_text(f"""
+[mesh]
+file = "mesh.{extension}"
+[[material]]
+set = "{near}"
+model = "linear"
+young = 1e5
+poisson = 0.3
+density = 1000
+[[material]]
+set = "{far}"
+model = "linear"
+young = 2e5
+poisson = 0.3
+density = 1000
+[integrator]
+step = "auto"
+end = 0.01
+[[fix]]
+set = "{clamp}"
+[[force]]
+where = "all"
+acceleration = [0, 0, -9.81]
+[output]
+every = 0.01
+picture = false
+""")
+    result = call("run", tmp_path / "scene.toml", "--out", tmp_path / "out")
+    assert result.returncode == 0, result
+    frames = sorted((tmp_path / "out").glob("**/*.vtu"))
+    frame = meshio.read(frames[-1])
+    still = np.linalg.norm(frame.point_data["displacement"], axis=1) == 0
+    assert {tuple(point) for point in frame.points[still]} == {tuple(point) for point in mesh.points[held]}
+
+
+def exodus_of_cubit(file: pathlib.Path, element: str, type_: str) -> tuple[NDArray[np.float64], list[tuple[str, Any]]]:
+    """As Cubit and MOOSE write it: named blocks and sets, numbers of its own, sides, and Exodus' order of nodes."""
+    points, cells = a_mesh(element)
+    data = cells[0][1]
+    stored = data[:, [*range(12), *range(16, 20), *range(12, 16)]] if element == "hex20" else data
+    half = len(data) // 2
+    with netCDF4.Dataset(file, "w", format="NETCDF3_64BIT_OFFSET") as out:
+        for name, size in (("num_dim", 3), ("num_nodes", len(points)), ("num_elem", len(data)), ("num_el_blk", 2),
+                           ("num_node_sets", 1), ("num_side_sets", 1), ("len_string", 33), ("nodes", data.shape[1]),
+                           ("in1", half), ("in2", len(data) - half), ("ns", 2), ("ss", 1)):  # fmt: skip
+            out.createDimension(name, size)
+
+        def put(name: str, type_: str, shape: tuple[str, ...], values: Any) -> Any:
+            variable = out.createVariable(name, type_, shape)
+            variable[:] = values
+            return variable
+
+        def names(*texts: str) -> NDArray[Any]:
+            return np.array([list(text.ljust(33, "\0")) for text in texts], "S1")
+
+        for k, axis in enumerate("xyz"):
+            put(f"coord{axis}", "f8", ("num_nodes",), points[:, k])
+        put("eb_prop1", "i4", ("num_el_blk",), [10, 20])
+        put("eb_names", "S1", ("num_el_blk", "len_string"), names("steel", ""))
+        put("connect1", "i4", ("in1", "nodes"), stored[:half] + 1).elem_type = type_
+        put("connect2", "i4", ("in2", "nodes"), stored[half:] + 1).elem_type = type_
+        put("ns_prop1", "i4", ("num_node_sets",), [3])
+        put("ns_names", "S1", ("num_node_sets", "len_string"), names(""))
+        put("node_ns1", "i4", ("ns",), [1, 5])
+        put("ss_prop1", "i4", ("num_side_sets",), [4])
+        put("ss_names", "S1", ("num_side_sets", "len_string"), names("load"))
+        put("elem_ss1", "i4", ("ss",), [len(data)])
+        put("side_ss1", "i4", ("ss",), [2])
+        put("node_num_map", "i4", ("num_nodes",), np.arange(len(points)) + 100)
+        put("elem_num_map", "i4", ("num_elem",), np.arange(len(data)) + 500)
+    return points, [(element, data)]
+
+
+@pytest.mark.parametrize("element,type_", [("tet4", "TETRA4"), ("tet10", "TETRA"), ("hex8", "HEX8"), ("hex20", "HEX20"),
+                                           ("wedge6", "WEDGE6")])  # fmt: skip
+def test_exodus_keeps_blocks_sets_sides_numbers_and_its_order_of_nodes(tmp_path: pathlib.Path, element: str, type_: str) -> None:
+    points, [(_, data)] = exodus_of_cubit(tmp_path / "m.e", element, type_)
+    mesh = rw.load_mesh(tmp_path / "m.e")
+    assert np.array_equal(mesh.points, points) and np.array_equal(mesh.cells[element], data)
+    half = len(data) // 2
+    assert list(mesh.cell_sets["steel"][0]) == list(range(half))
+    assert list(mesh.cell_sets["block-20"][0]) == list(range(half, len(data)))
+    assert list(mesh.node_sets["nodeset-3"]) == [0, 4]
+    kept = numbers(mesh, tmp_path / "m.msh")
+    assert kept == (list(range(100, 100 + len(points))), list(range(500, 500 + len(data))))
+    # The nodes of the last element that lie in the plane of its second side, by their place.
+    sides = {"tet4": [1, 2, 3], "tet10": [1, 2, 3], "hex8": [1, 2, 6, 5], "hex20": [1, 2, 6, 5], "wedge6": [1, 2, 5, 4]}
+    corners = points[data[-1][sides[element]]]
+    normal = np.cross(corners[1] - corners[0], corners[2] - corners[0])
+    flat = np.abs((points[data[-1]] - corners[0]) @ normal) < (1e-9 if element in ("tet10", "hex20") else 1e-2) * np.linalg.norm(normal)
+    on = set(data[-1][flat]) if element in ("tet10", "hex20") else set(data[-1][sides[element]])
+    assert set(mesh.node_sets["load"]) == on
+
+
+def test_what_is_missing_is_named_with_its_packages(tmp_path: pathlib.Path) -> None:
+    exodus_of_cubit(tmp_path / "m.e", "tet4", "TETRA4")
+    (tmp_path / "modules").mkdir()
+    (tmp_path / "modules" / "netCDF4.py").write_text('raise ModuleNotFoundError("none", name="netCDF4")\n')
+    result = subprocess.run([PROGRAM, "mesh", "check", tmp_path / "m.e"], capture_output=True, text=True,
+                            env={**os.environ, "PYTHONPATH": str(tmp_path / "modules")})
+    assert result.returncode == 2 and result.stderr.count("\n") == 1, result
+    for part in ("m.e: this is a netCDF file, as of Exodus, which meshio reads", "python3-meshio", "python3-netcdf4",
+                 "missing is netCDF4"):
+        assert part in result.stderr
+
+
+def test_modules_beside_the_mesh_are_not_run(tmp_path: pathlib.Path) -> None:
+    exodus_of_cubit(tmp_path / "m.e", "tet4", "TETRA4")
+    for name in ("netCDF4", "meshio", "numpy"):
+        (tmp_path / f"{name}.py").write_text("raise SystemExit(9)\n")
+    result = subprocess.run([PROGRAM, "mesh", "check", "m.e"], cwd=tmp_path, capture_output=True, text=True)
+    assert result.returncode == 0, result
+
+
+@pytest.mark.parametrize("name,content,said", [
+    ("m.unv", "    -1\n  2411\n", "a universal file (UNV), which is not read; gmsh makes a mesh"),
+    ("m.msh", "MESH dimension 3 ElemType Hexahedra Nnode 8\n", "a GiD mesh, which is not read"),
+    ("m.msh", '(0 "a mesh")\n(2 3)\n', "a Fluent mesh, which is not read; it gives cells by their faces"),
+    ("m.k", "$ a comment\n*KEYWORD\n*NODE\n", "an LS-DYNA deck, which is not read"),
+    ("m.xml", "<?xml version='1.0'?>\n<mujoco model='m'/>\n", "a model of MuJoCo (MJCF), which is not read"),
+    ("m.stl", "solid a\nendsolid a\n", "a surface in STL, which is not read; a surface has no volume elements"),
+    ("m.vtu", "version https://git-lfs.github.com/spec/v1\noid sha256:0\n", "a pointer of Git LFS"),
+    ("m.mesh", "MeshVersionFormatted 2\nDimension 3\nVertices\n3\n0 0 0 0\n1 0 0 0\n0 1 0 0\nTriangles\n1\n1 2 3 0\nEnd\n",
+     "there are no volume elements, only 1 of surfaces"),
+    ("m.mesh", "MeshVersionFormatted 2\nWhat\n", "a Medit mesh; meshio cannot read it: Unknown keyword 'What'"),
+    ("m.bdf", "BEGIN BULK\nGRID,1,7,0.,0.,0.\nGRID,2,7,1.,0.,0.\nGRID,3,7,0.,1.,0.\nGRID,4,7,0.,0.,1.\nCTETRA,1,1,1,2,3,4\nENDDATA\n",
+     "in a coordinate system of their own"),
+    ("m.bdf", "BEGIN BULK\nINCLUDE 'other.bdf'\nENDDATA\n", "line 2: INCLUDE is not read"),
+    ("m.bdf", "BEGIN BULK\nGRID,1,,0.,0.,0.\nCHEXA*  1               1\nENDDATA\n", "line 3: CHEXA* is not read"),
+    ("m.xdmf", '<?xml version="1.0"?>\n<Xdmf Version="3.0"><Domain/></Xdmf>\n', "an XDMF file; meshio cannot read it"),
+])  # fmt: skip
+def test_what_cannot_be_read_is_named_in_one_line(tmp_path: pathlib.Path, name: str, content: str, said: str) -> None:
+    (tmp_path / name).write_text(content)
+    result = call("mesh", "check", tmp_path / name)
+    assert result.returncode == 2 and result.stderr.count("\n") == 1 and said in result.stderr, result
+
+
+def test_elements_that_are_not_known_are_refused_by_name(tmp_path: pathlib.Path) -> None:
+    exodus_of_cubit(tmp_path / "m.e", "hex20", "HEX20")
+    with netCDF4.Dataset(tmp_path / "m.e", "a") as file:
+        file["connect2"].elem_type = "HEX21"
+    assert call("mesh", "check", tmp_path / "m.e").returncode == 0  # the connectivity counts
+    for kind, name in (("WEDGE", "wedge15"), ("PYRAMID", "pyramid13")):
+        nodes = int(name.lstrip("wedgpyrami"))
+        with netCDF4.Dataset(tmp_path / "m.e", "w") as file:
+            for dimension, size in (("num_dim", 3), ("num_nodes", nodes), ("num_el_blk", 1), ("one", 1)):
+                file.createDimension(dimension, size)
+            file.createVariable("coord", "f8", ("num_dim", "num_nodes"))[:] = np.random.default_rng(2).random((3, nodes))
+            connectivity = file.createVariable("connect1", "i4", ("one", "num_nodes"))
+            connectivity[:] = np.arange(nodes)[None] + 1
+            connectivity.elem_type = kind
+        result = call("mesh", "check", tmp_path / "m.e")
+        assert result.returncode == 2 and f"has 1 elements of type {name}, which are not supported" in result.stderr, result
+
+
+def test_a_converted_mesh_is_the_same_for_the_monitor(tmp_path: pathlib.Path) -> None:
+    write_medit(tmp_path / "m.mesh")
+    law = ("--young", 1e6, "--poisson", 0.3, "--density", 1000, "--json", "-")
+    assert call("mesh", "convert", tmp_path / "m.mesh", tmp_path / "m.msh").returncode == 0
+    results = [json.loads(call("inspect", tmp_path / name, *law).stdout) for name in ("m.mesh", "m.msh")]
+    assert results[0]["critical_step"]["safe"] == results[1]["critical_step"]["safe"]
