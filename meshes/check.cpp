@@ -91,89 +91,29 @@ MeshProblem problemOf(const Mesh& mesh, ElementRef e, MeshProblem::Kind kind, do
   return problem;
 }
 
-void dropUnusedNodes(Mesh& mesh, const std::string& source, std::vector<std::string>* notes) {
-  const std::vector<bool> used = usedNodes(mesh);
-  const std::size_t kept = std::count(used.begin(), used.end(), true);
-  const std::size_t dropped = used.size() - kept;
-  if (dropped == 0) return;
-  const std::int32_t first = std::find(used.begin(), used.end(), false) - used.begin();
-  if (notes != nullptr)
-    notes->push_back(detail::droppedNodesNote(source, static_cast<std::int64_t>(dropped), nodeId(mesh, first)));
-  std::vector<std::int32_t> newIndex(used.size(), -1);
-  std::vector<std::int64_t> ids;
-  ids.reserve(kept);
-  std::int32_t next = 0;
-  for (std::size_t n = 0; n < used.size(); ++n) {
-    if (!used[n]) continue;
-    mesh.X.col(next) = mesh.X.col(n).eval();
-    ids.push_back(mesh.nodeId(n));
-    newIndex[n] = next++;
-  }
-  mesh.X.conservativeResize(3, next);
-  mesh.nodeIds = std::move(ids);
-  for (MeshBlock& block : mesh.blocks)
-    for (std::int32_t& n : block.connectivity)
-      if (n >= 0 && static_cast<std::size_t>(n) < used.size()) n = newIndex[n];
-  for (auto& [name, nodes] : mesh.nodeSets) {
-    std::erase_if(nodes, [&](std::int32_t n) { return newIndex[n] < 0; });
-    for (std::int32_t& n : nodes) n = newIndex[n];
-  }
-}
-
 /// Why a quadratic element may be wrong: nodes lie in the middles of other edges than their own. "" where none does.
 std::string otherOrder(const Mesh& mesh, const ElementInfo& info, const std::int32_t* nodes) {
   if (info.order == 1) return {};
-  const int corners = cornerCount(info);
-  const auto count = static_cast<int>(info.edges.size());
-  const auto distance = [&](int middle, int edge) {
-    const auto& ends = info.edges[edge];
-    return (mesh.X.col(nodes[corners + middle]) - (mesh.X.col(nodes[ends[0]]) + mesh.X.col(nodes[ends[1]])) / 2).norm();
-  };
-  int misplaced = 0, first = 0, firstEdge = 0;
-  for (int i = 0; i < count; ++i)
-    for (int edge = 0; edge < count; ++edge)
-      if (distance(i, edge) < distance(i, i) / 4 && misplaced++ == 0) first = i, firstEdge = edge;
+  const std::vector<int> edges = detail::edgesOfMiddles(mesh, info, nodes);
+  int misplaced = 0, first = -1;
+  for (int i = 0; i < static_cast<int>(edges.size()); ++i)
+    if (edges[i] != i && misplaced++ == 0) first = i;
   if (misplaced == 0) return {};
+  const int corners = cornerCount(info);
   return joinText("; ", misplaced, " of its nodes lie in the middle of another's edge, node ",
-                  nodeId(mesh, nodes[corners + first]), " where node ", nodeId(mesh, nodes[corners + firstEdge]),
-                  " should be: they seem to be in another program's order");
+                  nodeId(mesh, nodes[corners + first]), " where node ", nodeId(mesh, nodes[corners + edges[first]]),
+                  " should be: they are in ", detail::programOfOrder(info, edges),
+                  " order, which `ringwatch mesh repair` puts right");
 }
 
-struct CoincidentNodes {
-  std::size_t count = 0;  // nodes that lie on one before them
-  std::int32_t first = -1, second = -1;
-};
-
-/// Nodes of elements, closer to each other than 1e-9 of the diagonal of the bounding box.
-CoincidentNodes coincidentNodes(const Mesh& mesh) {
-  CoincidentNodes found;
-  const std::vector<bool> used = usedNodes(mesh);
-  if (mesh.nodeCount() == 0) return found;
-  const Eigen::Vector3d low = mesh.X.rowwise().minCoeff();
-  const detail::CoincidenceGrid grid(low, mesh.X.rowwise().maxCoeff());
-  if (!grid.exists()) return found;
-  std::unordered_map<std::uint64_t, std::int32_t> lastOfCell;
-  lastOfCell.reserve(mesh.nodeCount());
-  std::vector<std::int32_t> before(mesh.nodeCount(), -1);  // the node of the same cell that was entered before
-  for (std::size_t n = 0; n < mesh.nodeCount(); ++n) {
-    if (!used[n]) continue;
-    const std::int32_t index = n;
-    // A node is entered in its own cell and sought in all cells that its neighbourhood touches.
-    bool coincides = false;
-    grid.forEachCellNear(mesh.X.col(index), [&](std::uint64_t cell) {
-      const auto last = lastOfCell.find(cell);
-      for (std::int32_t other = last == lastOfCell.end() ? -1 : last->second; other >= 0 && !coincides;
-           other = before[other]) {
-        coincides = (mesh.X.col(other) - mesh.X.col(index)).norm() <= grid.near();
-        if (coincides && found.count++ == 0) found = {1, other, index};
-      }
-      return coincides;
-    });
-    if (coincides) continue;
-    const auto [entry, isNew] = lastOfCell.try_emplace(grid.cellOf(mesh.X.col(index)), index);
-    if (!isNew) before[n] = std::exchange(entry->second, index);
-  }
-  return found;
+/// That a linear element may be wrong because two of its nodes, which have numbers of their own, lie at one place.
+std::string nodesAtOnePlace(const Mesh& mesh, const ElementInfo& info, const std::int32_t* nodes, double longest) {
+  constexpr double near = 1e-9;  // of the longest edge
+  for (const auto& edge : info.edges)
+    if ((mesh.X.col(nodes[edge[1]]) - mesh.X.col(nodes[edge[0]])).norm() <= near * longest)
+      return joinText("; its nodes ", nodeId(mesh, nodes[edge[0]]), " and ", nodeId(mesh, nodes[edge[1]]),
+                      " lie at one place: `ringwatch mesh repair --join 0` joins such nodes");
+  return {};
 }
 
 }  // namespace
@@ -218,7 +158,8 @@ std::vector<MeshProblem> checkMesh(const Mesh& mesh) {
       else if (range.min <= least)
         report(e, MeshProblem::Kind::degenerate, range.min,
                joinText("is degenerate: its Jacobian determinant is ", range.min, " m³ with a longest edge of ", length,
-                        " m; it must be above ", least, otherOrder(mesh, info, nodes)));
+                        " m; it must be above ", least, otherOrder(mesh, info, nodes),
+                        nodesAtOnePlace(mesh, info, nodes, length)));
     }
     std::vector<std::int32_t> order(count);
     std::iota(order.begin(), order.end(), 0);
@@ -237,7 +178,7 @@ std::vector<MeshProblem> checkMesh(const Mesh& mesh) {
         const std::size_t other = order[i - 1];
         const std::int64_t otherId = block.id(other);
         report(order[i], MeshProblem::Kind::duplicateElement, static_cast<double>(otherId),
-               joinText("has the same nodes as element ", otherId));
+               joinText("has the same nodes as element ", otherId, ", and `ringwatch mesh repair` leaves it out"));
       }
   }
   const std::vector<bool> used = usedNodes(mesh);
@@ -279,16 +220,18 @@ std::vector<std::string> meshNotes(const Mesh& mesh, const std::string& source) 
   }
   if (const detail::HangingNodes hanging = detail::hangingNodes(mesh, mesh.nodeCount()); hanging.count > 0)
     notes.push_back(detail::hangingNote(source, hanging.count, nodeId(mesh, hanging.first)));
-  const CoincidentNodes same = coincidentNodes(mesh);
-  if (same.count > 0)
-    notes.push_back(detail::coincidenceNote(source, static_cast<std::int64_t>(same.count), nodeId(mesh, same.first),
-                                            nodeId(mesh, same.second)));
+  const std::vector<std::int32_t> at = detail::firstNodesAtPlaces(mesh, 0, true);
+  std::int64_t same = 0;
+  std::int32_t first = -1;
+  for (std::int32_t n = 0; n < static_cast<std::int32_t>(at.size()); ++n)
+    if (at[n] != n && same++ == 0) first = n;
+  if (same > 0) notes.push_back(detail::coincidenceNote(source, same, nodeId(mesh, at[first]), nodeId(mesh, first)));
   return notes;
 }
 
 void requireSound(Mesh& mesh, const std::string& source, std::vector<std::string>* notes) {
   if (mesh.elementCount() == 0) throw InputError(source + ": there are no elements; a mesh of at least one is needed");
-  dropUnusedNodes(mesh, source, notes);
+  detail::dropUnusedNodes(mesh, source, notes);
   const std::vector<MeshProblem> problems = detail::turnAndCheck(mesh, source, notes);
   if (problems.empty()) return;
   std::vector<std::string> texts;
@@ -297,6 +240,94 @@ void requireSound(Mesh& mesh, const std::string& source, std::vector<std::string
 }
 
 namespace detail {
+
+void dropUnusedNodes(Mesh& mesh, const std::string& source, std::vector<std::string>* notes) {
+  const std::vector<bool> used = usedNodes(mesh);
+  const std::size_t kept = std::count(used.begin(), used.end(), true);
+  const std::size_t dropped = used.size() - kept;
+  if (dropped == 0) return;
+  const std::int32_t first = std::find(used.begin(), used.end(), false) - used.begin();
+  if (notes != nullptr)
+    notes->push_back(droppedNodesNote(source, static_cast<std::int64_t>(dropped), nodeId(mesh, first)));
+  std::vector<std::int32_t> newIndex(used.size(), -1);
+  std::vector<std::int64_t> ids;
+  ids.reserve(kept);
+  std::int32_t next = 0;
+  for (std::size_t n = 0; n < used.size(); ++n) {
+    if (!used[n]) continue;
+    mesh.X.col(next) = mesh.X.col(n).eval();
+    ids.push_back(mesh.nodeId(n));
+    newIndex[n] = next++;
+  }
+  mesh.X.conservativeResize(3, next);
+  mesh.nodeIds = std::move(ids);
+  for (MeshBlock& block : mesh.blocks)
+    for (std::int32_t& n : block.connectivity)
+      if (n >= 0 && static_cast<std::size_t>(n) < used.size()) n = newIndex[n];
+  for (auto& [name, nodes] : mesh.nodeSets) {
+    std::erase_if(nodes, [&](std::int32_t n) { return newIndex[n] < 0; });
+    for (std::int32_t& n : nodes) n = newIndex[n];
+  }
+}
+
+std::vector<int> edgesOfMiddles(const Mesh& mesh, const ElementInfo& info, const std::int32_t* nodes) {
+  const int corners = cornerCount(info);
+  const auto count = static_cast<int>(info.edges.size());
+  const auto distance = [&](int middle, int edge) {
+    const auto& ends = info.edges[edge];
+    return (mesh.X.col(nodes[corners + middle]) - (mesh.X.col(nodes[ends[0]]) + mesh.X.col(nodes[ends[1]])) / 2).norm();
+  };
+  constexpr double nearer = 0.25;  // a bent edge does not bring its middle so near to another's
+  std::vector<int> edges;
+  for (int i = 0; i < count; ++i) {
+    int best = i;
+    double least = nearer * distance(i, i);
+    for (int edge = 0; edge < count; ++edge)
+      if (const double other = distance(i, edge); other < least) best = edge, least = other;
+    edges.push_back(best);
+  }
+  return edges;
+}
+
+std::string_view programOfOrder(const ElementInfo& info, const std::vector<int>& edges) {
+  const int corners = cornerCount(info);
+  std::vector<int> ofGmsh(edges.size(), -1);
+  for (std::size_t i = 0; i < edges.size() && !info.gmshOrder.empty(); ++i)
+    ofGmsh[info.gmshOrder[corners + i] - corners] = static_cast<int>(i);
+  if (edges == ofGmsh) return "gmsh's";
+  // Upright edges before those of the top.
+  if (edges == std::vector<int>{0, 1, 2, 3, 8, 9, 10, 11, 4, 5, 6, 7}) return "Exodus' and Nastran's";
+  return "another program's";
+}
+
+std::vector<std::int32_t> firstNodesAtPlaces(const Mesh& mesh, double near, bool ofElements) {
+  std::vector<std::int32_t> at(mesh.nodeCount());
+  std::iota(at.begin(), at.end(), 0);
+  if (mesh.nodeCount() == 0) return at;
+  const std::vector<bool> used = usedNodes(mesh);
+  const Eigen::Vector3d low = mesh.X.rowwise().minCoeff();
+  const CoincidenceGrid grid(low, mesh.X.rowwise().maxCoeff(), near);
+  if (!grid.exists()) return at;
+  std::unordered_map<std::uint64_t, std::int32_t> lastOfCell;
+  lastOfCell.reserve(mesh.nodeCount());
+  std::vector<std::int32_t> before(mesh.nodeCount(), -1);  // the node of the same cell that was entered before
+  for (std::size_t n = 0; n < mesh.nodeCount(); ++n) {
+    if (ofElements && !used[n]) continue;
+    const std::int32_t index = n;
+    // A node is entered in its own cell and sought in all cells that its neighbourhood touches.
+    grid.forEachCellNear(mesh.X.col(index), [&](std::uint64_t cell) {
+      const auto last = lastOfCell.find(cell);
+      for (std::int32_t other = last == lastOfCell.end() ? -1 : last->second; other >= 0 && at[n] == index;
+           other = before[other])
+        if ((mesh.X.col(other) - mesh.X.col(index)).norm() <= grid.near()) at[n] = other;
+      return at[n] != index;
+    });
+    if (at[n] != index) continue;
+    const auto [entry, isNew] = lastOfCell.try_emplace(grid.cellOf(mesh.X.col(index)), index);
+    if (!isNew) before[n] = std::exchange(entry->second, index);
+  }
+  return at;
+}
 
 std::vector<std::int64_t> turnMirrored(Mesh& mesh) {
   std::vector<std::int64_t> turned;
@@ -442,7 +473,7 @@ std::string coincidenceNote(const std::string& source, std::int64_t count, std::
                             std::int64_t secondId) {
   return joinText(source, ": ", count, count == 1 ? " node lies" : " nodes lie",
                   " where another node lies, e.g. nodes ", firstId, " and ", secondId,
-                  "; elements are not joined there");
+                  "; elements are not joined there, and `ringwatch mesh repair --join 0` joins them");
 }
 
 }  // namespace detail

@@ -27,6 +27,17 @@ std::vector<std::string> turnedNotes(const Mesh& mesh, const std::vector<std::in
 std::vector<MeshProblem> overlaps(const Mesh& mesh, const std::function<bool(std::span<const std::int32_t>)>& told);
 /// turnMirrored, then all that checkMesh finds, and overlaps where some elements alone were turned.
 std::vector<MeshProblem> turnAndCheck(Mesh& mesh, const std::string& source, std::vector<std::string>* notes);
+/// For each node in the middle of an edge of a quadratic element the edge in whose middle it lies: its own, unless
+/// another's middle is four times nearer.
+std::vector<int> edgesOfMiddles(const Mesh& mesh, const ElementInfo& info, const std::int32_t* nodes);
+/// Whose order of the nodes on edges this is: "gmsh's", "Exodus' and Nastran's", "another program's". edges: as of
+/// edgesOfMiddles.
+std::string_view programOfOrder(const ElementInfo& info, const std::vector<int>& edges);
+/// For each node the first one that lies closer to it than `near` (m) and than 1e-9 of the diagonal of the bounding
+/// box, itself where none does. ofElements: only nodes of elements count.
+std::vector<std::int32_t> firstNodesAtPlaces(const Mesh& mesh, double near, bool ofElements);
+/// Drops the nodes that no element uses, with a note.
+void dropUnusedNodes(Mesh& mesh, const std::string& source, std::vector<std::string>* notes);
 std::string droppedNodesNote(const std::string& source, std::int64_t dropped, std::int64_t firstId);
 /// Problems whose texts are told, of several.
 constexpr std::size_t shownProblems = 3;
@@ -46,13 +57,16 @@ HangingNodes hangingNodes(const Mesh& mesh, std::size_t nodes);
 std::string hangingNote(const std::string& source, std::int64_t count, std::int64_t firstId);
 std::string coincidenceNote(const std::string& source, std::int64_t count, std::int64_t firstId, std::int64_t secondId);
 
-/// Cells of space in which nodes are sought that lie closer to each other than 1e-9 of the diagonal of the bounding
-/// box.
+/// Cells of space in which nodes are sought that lie closer to each other than `near` or 1e-9 of the diagonal of the
+/// bounding box.
 class CoincidenceGrid {
  public:
   /// low, high: corners of the box, m.
-  CoincidenceGrid(const Eigen::Vector3d& low, const Eigen::Vector3d& high)
-      : low_(low), diagonal_((high - low).norm()), near_(1e-9 * diagonal_), cell_(1e-6 * diagonal_) {}
+  CoincidenceGrid(const Eigen::Vector3d& low, const Eigen::Vector3d& high, double near = 0)
+      : low_(low),
+        diagonal_((high - low).norm()),
+        near_(std::max(1e-9 * diagonal_, near)),
+        cell_(std::max(1e-6 * diagonal_, 2 * near_)) {}
   /// False for a box without a size.
   bool exists() const { return near_ > 0 && std::isfinite(diagonal_); }
   /// m
@@ -76,7 +90,7 @@ class CoincidenceGrid {
 
   Eigen::Vector3d low_;
   double diagonal_, near_;
-  double cell_;  // much larger than near_, so that few nodes lie near its faces, and much smaller than elements
+  double cell_;  // larger than near_, so that few nodes lie near its faces, and smaller than elements
 };
 
 }  // namespace ringwatch::detail

@@ -46,6 +46,7 @@
 #include <ringwatch/integrators/integrator.h>
 #include <ringwatch/meshes/check_texts.h>
 #include <ringwatch/meshes/mesh_io.h>
+#include <ringwatch/meshes/modify/repair.h>
 #include <ringwatch/monitor/metrics/metrics.h>
 
 namespace ringwatch {
@@ -750,11 +751,12 @@ struct AdviseCommand {
 struct MeshCommand {
   std::string kind, output, input, target, checked;
   std::map<std::string, std::vector<std::string>> parameters;  // of generators, as given
+  std::string join;                                            // a number, as given
   bool allProblems = false, binary = false;
-  CLI::App *generate = nullptr, *convert = nullptr, *check = nullptr;
+  CLI::App *generate = nullptr, *convert = nullptr, *check = nullptr, *repair = nullptr;
 
   void declare(CLI::App& app) {
-    CLI::App* command = app.add_subcommand("mesh", "generate, convert or check a mesh");
+    CLI::App* command = app.add_subcommand("mesh", "generate, convert, check or repair a mesh");
     command->require_subcommand(1);
     command->footer(exitStatusHint);
     generate = command->add_subcommand("generate", "make a mesh");
@@ -780,10 +782,23 @@ struct MeshCommand {
     check = command->add_subcommand("check", "list what is wrong with a mesh; exit status 1 when there is something");
     check->add_option("MESH", checked, "mesh file: " + readableExtensions())->required()->type_name("MESH");
     check->add_flag("--all", allProblems, "list every problem, not the first ten");
+    repair = command->add_subcommand("repair", "mend the numbers of a mesh; exit status 1 when something is left");
+    repair->add_option("IN", input, "mesh file: " + readableExtensions())->required()->type_name("MESH");
+    repair->add_option("OUT", target, "mesh file to write: " + writableExtensions())->required()->type_name("FILE");
+    repair
+        ->add_option("--join", join,
+                     "join nodes that lie closer to each other, m; 0: at one place; without it none are joined")
+        ->type_name("DISTANCE");
+    declareBinary(*repair);
+    repair->footer(
+        "Turns elements of the other handedness round, makes of an element that holds a node several times the\n"
+        "wedge, pyramid or tetrahedron that it is, leaves out elements that stand a second time and nodes without\n"
+        "elements, and puts nodes on edges into ringwatch's order. Sets are kept.");
   }
 
   ExitStatus execute() const {
     if (generate->parsed()) return executeGenerate();
+    if (repair->parsed()) return executeRepair();
     return convert->parsed() ? executeConvert() : executeCheck();
   }
 
@@ -840,23 +855,58 @@ struct MeshCommand {
     return ExitStatus::done;
   }
 
+  /// The first problems, or all of them, one a line.
+  static std::string problemLines(const std::vector<MeshProblem>& problems, bool all) {
+    constexpr std::size_t shownAtFirst = 10;
+    const std::size_t shown = all ? problems.size() : std::min(shownAtFirst, problems.size());
+    std::string text;
+    for (std::size_t i = 0; i < shown; ++i)
+      text += fmt::format("{}: {}\n", problemName(problems[i].kind), problems[i].text);
+    if (shown < problems.size()) text += fmt::format("… and {} more; --all lists them\n", problems.size() - shown);
+    return text;
+  }
+
+  static std::string kindsOf(const std::vector<MeshProblem>& problems) {
+    std::map<std::string_view, std::size_t> counts;
+    for (const MeshProblem& problem : problems) ++counts[problemName(problem.kind)];
+    std::string kinds;
+    for (const auto& [name, count] : counts) kinds += fmt::format("{}{} {}", kinds.empty() ? "" : ", ", count, name);
+    return kinds;
+  }
+
+  ExitStatus executeRepair() const {
+    std::optional<double> distance;
+    if (!join.empty()) {
+      double value = 0;
+      if (!CLI::detail::lexical_cast(join, value) || !(value >= 0) || !std::isfinite(value))
+        throw InputError(fmt::format("--join: {}; a distance in m is needed, 0 or more", inQuotes(join)));
+      distance = value;
+    }
+    std::vector<std::string> notes;
+    const Mesh mesh = readMesh(input, &notes);
+    const RepairedMesh repaired = repairMesh(mesh, input, distance);
+    write(repaired.mesh, target);
+    for (std::string& note : meshNotes(repaired.mesh, target)) notes.push_back(std::move(note));
+    std::string text;
+    for (const std::string& note : notes) text += "note: " + note + "\n";
+    for (const std::string& line : repaired.done) text += line + "\n";
+    if (repaired.done.empty()) text += fmt::format("{}: nothing more to repair\n", input);
+    text += problemLines(repaired.problems, true);
+    text += fmt::format("{}: {} nodes, {}{}\n", target, repaired.mesh.nodeCount(), elementCounts(repaired.mesh),
+                        repaired.problems.empty() ? "" : "; left: " + kindsOf(repaired.problems));
+    printOut(text);
+    return repaired.problems.empty() ? ExitStatus::done : ExitStatus::unstable;
+  }
+
   ExitStatus executeCheck() const {
     std::vector<std::string> notes;
     const std::vector<MeshProblem> problems = checkMeshFile(checked, &notes);
     std::string text;
     for (const std::string& note : notes) text += "note: " + note + "\n";
-    constexpr std::size_t shownAtFirst = 10;
-    const std::size_t shown = allProblems ? problems.size() : std::min(shownAtFirst, problems.size());
-    for (std::size_t i = 0; i < shown; ++i)
-      text += fmt::format("{}: {}\n", problemName(problems[i].kind), problems[i].text);
-    if (shown < problems.size()) text += fmt::format("… and {} more; --all lists them\n", problems.size() - shown);
-    std::map<std::string_view, std::size_t> counts;
-    for (const MeshProblem& problem : problems) ++counts[problemName(problem.kind)];
-    std::string kinds;
-    for (const auto& [name, count] : counts) kinds += fmt::format("{}{} {}", kinds.empty() ? "" : ", ", count, name);
+    text += problemLines(problems, allProblems);
     text += problems.empty()       ? fmt::format("{}: nothing wrong\n", checked)
             : problems.size() == 1 ? fmt::format("{}: 1 problem\n", checked)
-                                   : fmt::format("{}: {} problems: {}\n", checked, problems.size(), kinds);
+                                   : fmt::format("{}: {} problems: {}\n", checked, problems.size(), kindsOf(problems));
     printOut(text);
     return problems.empty() ? ExitStatus::done : ExitStatus::unstable;
   }

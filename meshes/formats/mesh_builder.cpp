@@ -231,40 +231,48 @@ void MeshBuilder::addElement(const FileElement& type, std::int64_t id, const std
   list->positions.push_back(position);
 }
 
-std::size_t MeshBuilder::mergeGroups(Elements& list) {
+int MeshBuilder::groupOfBoth(int one, int other) {
+  if (other < 0 || one == other) return one;
+  if (one < 0) return other;
+  const auto [known, isNew] = bothGroups_.try_emplace({one, other}, 0);
+  if (isNew) {
+    std::vector<std::string> names = groups_[one];
+    names.insert(names.end(), groups_[other].begin(), groups_[other].end());
+    known->second = addGroup(std::move(names));
+  }
+  return known->second;
+}
+
+std::size_t MeshBuilder::leaveDoublesOut(Elements& list) {
   const auto width = static_cast<std::ptrdiff_t>(list.type->nodes);
-  const auto nodesOf = [&](std::size_t e) {
-    const auto first = list.nodes.begin() + width * static_cast<std::ptrdiff_t>(e);
+  const auto nodesOf = [&](std::vector<std::int64_t>& nodes, std::size_t e) {
+    const auto first = nodes.begin() + width * static_cast<std::ptrdiff_t>(e);
     return std::span(first, first + width);
   };
-  if (std::ranges::adjacent_find(list.groups, std::ranges::not_equal_to()) == list.groups.end()) return 0;
+  const bool all = doubles == Doubles::all;
+  if (!all && std::ranges::adjacent_find(list.groups, std::ranges::not_equal_to()) == list.groups.end()) return 0;
+  std::vector<std::int64_t> keys = list.nodes;
+  for (std::size_t e = 0; all && e < list.ids.size(); ++e) std::ranges::sort(nodesOf(keys, e));
   std::vector<std::size_t> order(list.ids.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return std::ranges::lexicographical_compare(nodesOf(a), nodesOf(b));
+    return std::ranges::lexicographical_compare(nodesOf(keys, a), nodesOf(keys, b));
   });
   std::vector<bool> again(list.ids.size());
-  std::map<std::pair<int, int>, int> both;
   for (std::size_t i = 1, first = 0; i < order.size(); ++i) {
     int& group = list.groups[order[first]];
     const int other = list.groups[order[i]];
-    if (!std::ranges::equal(nodesOf(order[i]), nodesOf(order[first]))) {
+    if (!std::ranges::equal(nodesOf(keys, order[i]), nodesOf(keys, order[first]))) {
       first = i;
-    } else if (group >= 0 && other >= 0 && group != other) {
-      const auto [known, isNew] = both.try_emplace({group, other}, 0);
-      if (isNew) {
-        std::vector<std::string> names = groups_[group];
-        names.insert(names.end(), groups_[other].begin(), groups_[other].end());
-        known->second = addGroup(std::move(names));
-      }
-      group = known->second;
+    } else if (all || (group >= 0 && other >= 0 && group != other)) {
+      group = groupOfBoth(group, other);
       again[order[i]] = true;
     }
   }
   std::size_t kept = 0;
   for (std::size_t e = 0; e < again.size(); ++e) {
     if (again[e]) continue;
-    std::ranges::copy(nodesOf(e), list.nodes.begin() + width * static_cast<std::ptrdiff_t>(kept));
+    std::ranges::copy(nodesOf(list.nodes, e), list.nodes.begin() + width * static_cast<std::ptrdiff_t>(kept));
     list.ids[kept] = list.ids[e];
     list.groups[kept] = list.groups[e];
     list.positions[kept++] = list.positions[e];
@@ -281,9 +289,9 @@ Mesh MeshBuilder::finish(std::vector<std::string>* notes, std::vector<MeshProble
   // A list may have lost all that it had to another type.
   std::erase_if(elements_, [](const Elements& list) { return list.count == 0; });
   std::size_t merged = 0;
-  if (mergesGroups)
+  if (doubles != Doubles::none)
     for (Elements& list : elements_)
-      if (list.info != nullptr) merged += mergeGroups(list);
+      if (list.info != nullptr) merged += leaveDoublesOut(list);
   std::vector<FoundElements> found;
   for (const Elements& list : elements_)
     found.push_back({list.type, list.count, list.positions.empty() ? 0 : list.positions[0]});
@@ -365,7 +373,11 @@ Mesh MeshBuilder::finish(std::vector<std::string>* notes, std::vector<MeshProble
     notes->push_back(joinText(source_, ": ", count, " ", types.first,
                               " that hold a node several times are read as the ", types.second, " that are left"));
   if (merged > 0)
-    notes->push_back(joinText(source_, ": ", merged, " elements that stand once more for another group are read once"));
+    notes->push_back(
+        doubles == Doubles::all
+            ? joinText(source_, ": ", merged, merged == 1 ? " element that stands" : " elements that stand",
+                       " a second time were left out")
+            : joinText(source_, ": ", merged, " elements that stand once more for another group are read once"));
   return mesh;
 }
 

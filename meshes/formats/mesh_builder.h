@@ -61,6 +61,13 @@ std::size_t requireVolumes(std::span<const FoundElements> found, std::size_t nod
 /// The note of these elements; empty without any.
 std::vector<std::string> droppedNote(const std::string& source, std::size_t dropped);
 
+/// Which volume elements with the nodes of one above are left out, so that this one belongs to the groups of both.
+enum class Doubles {
+  none,
+  ofOtherGroups,  // with the nodes in the same order: the file names it once for each group
+  all             // with the nodes in any order
+};
+
 /// Collects what a reader finds, with its position in the file, and makes the Mesh of it: numbers become indices,
 /// volume elements become blocks in order of first appearance, groups become sets. Throws InputError, with the
 /// position, on repeated or missing nodes, coordinates that are not finite, and volume elements that the library does
@@ -72,8 +79,7 @@ class MeshBuilder {
   std::string noVolumeHint;
   /// Elements of surfaces, lines and points that the reader leaves out itself.
   std::size_t leftOut = 0;
-  /// A volume element with the nodes of one above belongs to the groups of both: the file names it once for each.
-  bool mergesGroups = false;
+  Doubles doubles = Doubles::none;
 
   MeshBuilder(std::string source, Where nodeWhere, Where elementWhere)
       : source_(std::move(source)), nodeWhere_(std::move(nodeWhere)), elementWhere_(std::move(elementWhere)) {}
@@ -116,7 +122,8 @@ class MeshBuilder {
     std::size_t count = 0;
   };
   Elements& listOf(const FileElement& type);
-  std::size_t mergeGroups(Elements& list);
+  std::size_t leaveDoublesOut(Elements& list);
+  int groupOfBoth(int one, int other);
 
   std::string source_;
   Where nodeWhere_, elementWhere_;
@@ -129,6 +136,7 @@ class MeshBuilder {
   std::vector<std::vector<std::size_t>> positions_;
   /// Numbers of elements by their type in the file and the one that is left.
   std::map<std::pair<std::string, std::string>, std::size_t> collapsed_;
+  std::map<std::pair<int, int>, int> bothGroups_;
 };
 
 }  // namespace ringwatch::detail

@@ -108,7 +108,7 @@ class MshReader {
       cursor_.failAt(begin, joinText("the file type is ", fileType, "; it must be 0 (text) or 1 (binary)"));
     if (dataSize != 8) cursor_.failAt(begin, joinText("the data size is ", dataSize, "; it must be 8"));
     cursor_.endRecord();
-    builder_.mergesGroups = version_ < 4;
+    if (version_ < 4) builder_.doubles = Doubles::ofOtherGroups;
     if (fileType == 1) {
       if (version_ == 4.0) cursor_.failAt(begin, "binary MSH 4.0 is not supported; save it as 4.1 or 2.2");
       if (cursor_.remaining() > 0) cursor_.skipOne();

@@ -1,4 +1,4 @@
-// `ringwatch mesh`: generate, convert, check.
+// `ringwatch mesh`: generate, convert, check, repair.
 #include <string>
 
 #include <gmock/gmock.h>
@@ -49,6 +49,50 @@ TEST_F(Program, ConvertsAndChecksMeshes) {
   EXPECT_TRUE(checkMesh(readMesh(folder_.path() / "turned.msh")).empty());
   ASSERT_EQ(call("mesh convert bad.msh still_bad.msh").status, 0);
   EXPECT_EQ(call("mesh check still_bad.msh").status, 1);
+}
+
+// A cube of two wedges, a hexahedron as which a deck writes a wedge beside, one element twice, one mirrored, one that
+// has nodes of its own at the common face, and a node of no element.
+TEST_F(Program, RepairsMeshes) {
+  folder_.write("damaged.msh",
+                "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n2\n3 1 \"left\"\n3 2 \"right\"\n"
+                "$EndPhysicalNames\n$Nodes\n17\n"
+                "1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n5 0 0 1\n6 1 0 1\n7 1 1 1\n8 0 1 1\n"
+                "9 2 0 0\n10 2 1 0\n11 2 0 1\n12 2 1 1\n13 1 0 0\n14 1 1 0\n15 1 0 1\n16 1 1 1\n17 9 9 9\n$EndNodes\n"
+                "$Elements\n5\n1 6 2 1 1 1 2 3 5 6 7\n2 6 2 1 1 1 4 3 5 8 7\n3 6 2 2 1 1 3 2 5 7 6\n"
+                "4 5 2 2 1 13 9 10 10 15 11 12 12\n5 6 2 2 1 13 10 14 15 12 16\n$EndElements\n");
+  const Outcome check = call("mesh check damaged.msh");
+  EXPECT_EQ(check.status, 1);
+  EXPECT_THAT(check.out, AllOf(HasSubstr("has the same nodes as element 1, and `ringwatch mesh repair` leaves it out"),
+                               HasSubstr("4 nodes lie where another node lies"),
+                               HasSubstr("`ringwatch mesh repair --join 0` joins them")));
+  expectRefused(std::string("inspect damaged.msh") + material, "`ringwatch mesh repair` leaves it out");
+
+  const Outcome repair = call("mesh repair damaged.msh mended.msh --join 0");
+  EXPECT_EQ(repair.status, 0) << repair.out << repair.err;
+  EXPECT_THAT(repair.out, AllOf(HasSubstr("damaged.msh: 4 nodes were joined with another at the same place\n"),
+                                HasSubstr("1 element that stands a second time"),
+                                HasSubstr("1 hex8 that hold a node several times are read as the wedge6"),
+                                HasSubstr("1 of 4 wedge6 are of the other handedness and were turned round\n"),
+                                HasSubstr("1 nodes that no element uses are dropped, the first is node 17"),
+                                HasSubstr("mended.msh: 12 nodes, 4 wedge6\n")));
+  EXPECT_THAT(call("mesh check mended.msh").out, ::testing::StrEq("mended.msh: nothing wrong\n"));
+  const Outcome inspect = call(std::string("inspect mended.msh") + material);
+  EXPECT_EQ(inspect.status, 0);
+  EXPECT_THAT(inspect.out, HasSubstr("volume 2 m3"));
+  const Mesh mended = readMesh(folder_.path() / "mended.msh");
+  EXPECT_EQ(mended.elementSets.at("left").size(), 2u);
+  EXPECT_EQ(mended.elementSets.at("right").size(), 3u);  // the element that stood twice is in both
+
+  EXPECT_THAT(call("mesh repair mended.msh again.vtu").out, HasSubstr("mended.msh: nothing more to repair\n"));
+  expectRefused("mesh repair damaged.msh mended.msh --join close", "--join: \"close\"; a distance in m is needed");
+  expectRefused("mesh repair damaged.msh mended.msh --join=-1", "--join: \"-1\"; a distance in m is needed");
+  folder_.write("folded.msh",
+                "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n5\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n5 0 0 2\n"
+                "$EndNodes\n$Elements\n2\n1 4 2 1 1 1 2 3 4\n2 4 2 1 1 1 3 2 5\n$EndElements\n");
+  const Outcome folded = call("mesh repair folded.msh left.msh");
+  EXPECT_EQ(folded.status, 1);
+  EXPECT_THAT(folded.out, HasSubstr("left.msh: 5 nodes, 2 tet4; left: 1 inverted\n"));
 }
 
 }  // namespace

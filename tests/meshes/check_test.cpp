@@ -150,11 +150,11 @@ TEST(Check, QuadraticElementsInAnotherProgramsOrderAreToldSo) {
       std::swap(nodes[8], nodes[9]);
     const auto problems = checkMesh(mesh);
     ASSERT_EQ(problems.size(), 1u) << element;
-    EXPECT_THAT(problems[0].text, HasSubstr("they seem to be in another program's order")) << element;
+    EXPECT_THAT(problems[0].text, HasSubstr("which `ringwatch mesh repair` puts right")) << element;
   }
   Mesh bent = generateBar({.cells = {1, 1, 1}, .element = "hex20"});
   bent.X.col(0) << 0.9, 0.9, 0.9;
-  EXPECT_THAT(checkMesh(bent)[0].text, ::testing::Not(HasSubstr("another program's order")));
+  EXPECT_THAT(checkMesh(bent)[0].text, ::testing::Not(HasSubstr(" order")));
 }
 
 TEST(Check, PartsThatHangByAnEdgeOrANodeAreNoted) {
