@@ -13,7 +13,7 @@ namespace ringwatch::detail {
 namespace {
 
 // Numbers of gmsh ("MSH file format") and of vtkCellType.h; 0: it has no such cell of fixed order.
-constexpr int gmshHex27 = 12;
+constexpr int gmshHex27 = 12, gmshHex20 = 17;
 constexpr FileElement fileElements[] = {
     {15, "point", 0, 1, 1},     {1, "line", 1, 2, 3},       {8, "line", 1, 3, 21},      {26, "line", 1, 4, 35},
     {27, "line", 1, 5, 0},      {28, "line", 1, 6, 0},      {2, "triangle", 2, 3, 5},   {9, "triangle", 2, 6, 22},
@@ -194,6 +194,11 @@ MeshBuilder::Elements& MeshBuilder::listOf(const FileElement& type) {
 
 void MeshBuilder::addElement(const FileElement& type, std::int64_t id, const std::int64_t* nodes, int group,
                              std::size_t position, NodeOrder order) {
+  const FileElement *const hex27 = findGmshElement(gmshHex27), *const hex20 = findGmshElement(gmshHex20);
+  if (&type == hex27 && elementOf(*hex27) == nullptr && elementOf(*hex20) != nullptr) {
+    ++reduced_;
+    return addElement(*hex20, id, nodes, group, position, order);  // whose nodes are the first ones in every order
+  }
   Elements* list = &listOf(type);
   if (list->info == nullptr) {
     ++list->count;
@@ -369,6 +374,9 @@ Mesh MeshBuilder::finish(std::vector<std::string>* notes, std::vector<MeshProble
   mesh.nodeIds = std::move(nodeIds_);
   if (notes == nullptr) return mesh;
   for (std::string& note : droppedNote(source_, dropped)) notes->push_back(std::move(note));
+  if (reduced_ > 0)
+    notes->push_back(joinText(source_, ": ", reduced_, " hex27 are read as hex20, which is another element: ",
+                              "the nodes in their faces and middles are left out"));
   for (const auto& [types, count] : collapsed_)
     notes->push_back(joinText(source_, ": ", count, " ", types.first,
                               " that hold a node several times are read as the ", types.second, " that are left"));

@@ -102,8 +102,8 @@ class MeshBuilder {
     return static_cast<int>(groups_.size()) - 1;
   }
   /// nodes: in the file's order. A linear element that holds a node several times becomes what is left of it: a
-  /// hexahedron of six nodes a wedge. Elements of surfaces, lines and points leave only their nodes in the sets of
-  /// their group.
+  /// hexahedron of six nodes a wedge. A hexahedron of 27 nodes becomes the one of its first 20. Elements of surfaces,
+  /// lines and points leave only their nodes in the sets of their group.
   void addElement(const FileElement& type, std::int64_t id, const std::int64_t* nodes, int group, std::size_t position,
                   NodeOrder order = NodeOrder::ours);
   void addToNodeSet(const std::string& name, std::int64_t nodeId) { nodeSetIds_[name].push_back(nodeId); }
@@ -137,6 +137,7 @@ class MeshBuilder {
   /// Numbers of elements by their type in the file and the one that is left.
   std::map<std::pair<std::string, std::string>, std::size_t> collapsed_;
   std::map<std::pair<int, int>, int> bothGroups_;
+  std::size_t reduced_ = 0;  // hexahedra of 27 nodes
 };
 
 }  // namespace ringwatch::detail

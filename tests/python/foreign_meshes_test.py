@@ -292,6 +292,24 @@ def test_elements_that_are_not_known_are_refused_by_name(tmp_path: pathlib.Path)
         assert result.returncode == 2 and f"has 1 elements of type {name}, which are not supported" in result.stderr, result
 
 
+@pytest.mark.parametrize("extension", ["msh", "vtk", "vtu", "xdmf"])
+def test_hexahedra_of_27_nodes_are_read_as_those_of_20_with_a_note(tmp_path: pathlib.Path, extension: str) -> None:
+    points, [(_, cells)] = a_mesh("hex20")
+    corners = points[cells[:, :8]]
+    faces = ([0, 4, 7, 3], [1, 2, 6, 5], [0, 1, 5, 4], [3, 2, 6, 7], [0, 3, 2, 1], [4, 5, 6, 7], list(range(8)))
+    inner = [corners[:, face].mean(axis=1) for face in faces]
+    more = len(points) + np.arange(7 * len(cells)).reshape(len(cells), 7)
+    both = np.concatenate([points, np.stack(inner, axis=1).reshape(-1, 3)])
+    meshio.write(tmp_path / f"m.{extension}", meshio.Mesh(both, [("hexahedron27", np.concatenate([cells, more], axis=1))]),
+                 file_format={"msh": "gmsh"}.get(extension))
+    mesh = rw.load_mesh(tmp_path / f"m.{extension}")
+    assert np.array_equal(mesh.points, points) and np.array_equal(mesh.cells["hex20"], cells)
+    check = call("mesh", "check", tmp_path / f"m.{extension}")
+    assert "3 hex27 are read as hex20, which is another element" in check.stdout, check
+    assert call("mesh", "repair", tmp_path / f"m.{extension}", tmp_path / "m20.msh").returncode == 0
+    assert "nothing wrong" in call("mesh", "check", tmp_path / "m20.msh").stdout
+
+
 def test_a_converted_mesh_is_the_same_for_the_monitor(tmp_path: pathlib.Path) -> None:
     write_medit(tmp_path / "m.mesh")
     law = ("--young", 1e6, "--poisson", 0.3, "--density", 1000, "--json", "-")
