@@ -21,7 +21,10 @@ DIMENSIONS = ("point", "curve", "surface", "volume")
 # ringwatch names groups of gmsh without a name; 0 stands for none.
 MARKERS = ("gmsh:physical", "medit:ref", "nastran:ref", "netgen:index", "su2:tag", "avsucd:material")
 NO_GROUPS = ("gmsh:geometrical", "gmsh:dim_tags", "cell_ids")
+NAMED = "tags of string type"  # what meshio says of SU2's markers, whose names are found here
 MOST_VALUES = 1000  # of an integer field that is taken for groups; more are numbers of something else
+MEDIT_HEAD = ("MeshVersionFormatted", "Dimension", "Vertices")
+MEDIT_CELLS = {"Edges": 2, "Triangles": 3, "Quadrilaterals": 4, "Tetrahedra": 4, "Prisms": 6, "Pyramids": 5, "Hexahedra": 8, "Hexaedra": 8}
 CORNERS = {"tetra": 4, "pyramid": 5, "wedge": 6, "hexahedron": 8}
 # Of each shape in VTK's order: the edges, in the order of the nodes on them.
 EDGES = {
@@ -76,7 +79,8 @@ class Groups:
 
 
 def named_by_numbers(name, values):
-    """The values of an integer field that stand for groups, with what the name of a group begins with; None for its dimension."""
+    """The values of an integer field that stand for groups, and what the names of these groups begin with: the name of the field, or None
+    where they begin with a dimension."""
     values = np.unique(values)
     if len(values) > MOST_VALUES:
         notes.append(f'"{name}" has {len(values)} different values: they are taken for numbers, not for groups')
@@ -224,14 +228,63 @@ def hdf5_kind(path):
     raise Fault("is an HDF5 file of no kind that is known (MED, Exodus, CGNS, MOAB); of an XDMF mesh name the .xdmf file")
 
 
-def require_whole_nastran(path):
-    """meshio passes over cards that it does not know, and over coordinate systems."""
+# What follows makes copies that meshio takes, of files as other programs write them.
+
+
+def plain_nastran(path, folder):
+    """With the frame that meshio asks for. It passes over cards that it does not know, and over what other files hold."""
     types = meshio.nastran._nastran.nastran_to_meshio_type
+    with open(path, encoding="utf-8", errors="replace") as file:
+        lines = file.read().splitlines()
+    for number, line in enumerate(lines, 1):
+        card = re.match(r"[A-Za-z0-9]*\*?", line)[0].upper()
+        if card == "INCLUDE" or (card.endswith("*") and card[:-1] in types):
+            raise Fault(f"line {number}: {card} is not read; elements in the small or free format in one file are")
+    begin = [] if any(line.strip().startswith("BEGIN BULK") for line in lines) else ["BEGIN BULK"]
+    return written(folder, "mesh.bdf", [*begin, *lines, "ENDDATA"])
+
+
+def plain_medit(path, folder):
+    """Without sections that tell of the shape (Ridges, RequiredTriangles, Normals, …), some of which meshio does not know, and of version
+    2: versions differ in binary files."""
+    with open(path, encoding="utf-8", errors="replace") as file:
+        text = re.sub("#.*", "", file.read())
+    names = list(re.finditer(r"^[ \t]*([A-Za-z]\w*)", text, re.M))
+    lines = []
+    for name, after in zip(names, [*names[1:], None]):
+        content = text[name.end() : after.start() if after else None].split(None, 1)
+        if re.search(r"[PQ]\d$", name[1]):
+            raise Fault(f"{name[1]} are not read: elements are linear ones in what meshio knows of Medit")
+        if name[1] == "MeshVersionFormatted":
+            content = ["1" if content == ["1"] else "2"]
+        row = content[1].split("\n", 1)[0].split() if len(content) > 1 else []
+        if len(row) > MEDIT_CELLS.get(name[1], len(row)) + 1:
+            raise Fault(f"{name[1]} have {len(row)} numbers a line; linear ones, of {MEDIT_CELLS[name[1]] + 1}, are read")
+        if name[1] in MEDIT_HEAD or name[1] in MEDIT_CELLS:
+            begin = f"{name[1]} " if name[1] in MEDIT_HEAD[:2] else f"{name[1]}\n"
+            lines.append(begin + "\n".join(part.rstrip() for part in content))
+    return written(folder, "plain.mesh", [*lines, "End"])
+
+
+def names_of_su2(path):
+    """The numbers that meshio gives to markers with names."""
+    names, number = {}, 0
     with open(path, encoding="utf-8", errors="replace") as lines:
-        for number, line in enumerate(lines, 1):
-            card = re.match(r"[A-Za-z0-9]*\*?", line)[0].upper()
-            if card == "INCLUDE" or (card.endswith("*") and card[:-1] in types):
-                raise Fault(f"line {number}: {card} is not read; elements in the small or free format in one file are")
+        for line in lines:
+            tag = re.match(r"\s*MARKER_TAG\s*=\s*(.*?)\s*$", line)
+            if tag:
+                number = int(tag[1]) if re.fullmatch(r"[-+]?\d+", tag[1]) else number + 1
+                if number in names:
+                    raise Fault(f'meshio gives the marker "{tag[1]}" the number of "{names[number]}"; call all by names')
+                names[number] = tag[1]
+    return {name: (number, 2) for number, name in names.items() if not name.isdigit()}
+
+
+def written(folder, name, lines):
+    path = os.path.join(folder, name)
+    with open(path, "w", encoding="utf-8") as file:
+        file.write("\n".join(lines) + "\n")
+    return path
 
 
 def three_axes(points):
@@ -239,14 +292,19 @@ def three_axes(points):
     return np.pad(points, ((0, 0), (0, 3 - points.shape[1])))
 
 
-def read_file(path, kind):
+def read_file(path, kind, folder):
     if kind == "hdf5":
         kind = hdf5_kind(path)
     if kind == "exodus":
         return read_exodus(path)
+    of_meshio = path
     if kind == "nastran":
-        require_whole_nastran(path)
-    mesh = meshio.read(path, file_format=kind)
+        of_meshio = plain_nastran(path, folder)
+    if kind == "medit" and not path.endswith("b"):  # which tells meshio that it is binary
+        of_meshio = plain_medit(path, folder)
+    mesh = meshio.read(of_meshio, file_format=kind)
+    if kind == "su2":
+        mesh.field_data = names_of_su2(path)
     if kind == "nastran" and np.any(mesh.point_data.pop("nastran:ref", 0)):
         raise Fault("GRID cards are in a coordinate system of their own; only the basic one is read")
     points = three_axes(mesh.points)
@@ -261,7 +319,7 @@ def read_file(path, kind):
 
 
 def convert(path, kind, folder):
-    points, cells, groups, node_ids, element_ids = read_file(path, kind)
+    points, cells, groups, node_ids, element_ids = read_file(path, kind, folder)
     count = sum(len(data) for _, data in cells)
     if element_ids is None:
         element_ids = np.arange(1, count + 1)
@@ -305,7 +363,7 @@ try:
     with contextlib.redirect_stdout(heard), contextlib.redirect_stderr(heard):
         convert(source, kind_of_source, target)
     warned = heard.getvalue().replace("\n", " ").split("Warning:")
-    say(target, [*notes, *(f"meshio says: {text}" for text in dict.fromkeys(warned) if text.strip())])
+    say(target, [*notes, *(f"meshio says: {text}" for text in dict.fromkeys(warned) if text.strip() and NAMED not in text)])
 except ModuleNotFoundError as fault:
     say(target, [str(fault.name)])
     status = 3
@@ -316,7 +374,7 @@ except (Exception, SystemExit) as fault:  # meshio raises what comes, and ends t
     said = heard.getvalue() if isinstance(fault, SystemExit) else f"{type(fault).__name__}: {fault}"
     if isinstance(fault, KeyError):
         said = f"it does not know {fault}"
-    said = re.sub(r"Error: Couldn't read file.*", "", said, flags=re.S).strip() or "it gives no reason"
+    said = re.sub(r"Error: Couldn't read file.*", "", said, flags=re.S).strip() or "it is not as meshio knows the format"
     say(target, [f"meshio cannot read it: {said}"])
     status = 1
 sys.exit(status)

@@ -261,7 +261,7 @@ def test_modules_beside_the_mesh_are_not_run(tmp_path: pathlib.Path) -> None:
     ("m.vtu", "version https://git-lfs.github.com/spec/v1\noid sha256:0\n", "a pointer of Git LFS"),
     ("m.mesh", "MeshVersionFormatted 2\nDimension 3\nVertices\n3\n0 0 0 0\n1 0 0 0\n0 1 0 0\nTriangles\n1\n1 2 3 0\nEnd\n",
      "there are no volume elements, only 1 of surfaces"),
-    ("m.mesh", "MeshVersionFormatted 2\nWhat\n", "a Medit mesh; meshio cannot read it: Unknown keyword 'What'"),
+    ("m.mesh", "MeshVersionFormatted 2\nWhat\n", "a Medit mesh; meshio cannot read it: Expected `Vertices`"),
     ("m.bdf", "BEGIN BULK\nGRID,1,7,0.,0.,0.\nGRID,2,7,1.,0.,0.\nGRID,3,7,0.,1.,0.\nGRID,4,7,0.,0.,1.\nCTETRA,1,1,1,2,3,4\nENDDATA\n",
      "in a coordinate system of their own"),
     ("m.bdf", "BEGIN BULK\nINCLUDE 'other.bdf'\nENDDATA\n", "line 2: INCLUDE is not read"),
@@ -308,6 +308,123 @@ def test_hexahedra_of_27_nodes_are_read_as_those_of_20_with_a_note(tmp_path: pat
     assert "3 hex27 are read as hex20, which is another element" in check.stdout, check
     assert call("mesh", "repair", tmp_path / f"m.{extension}", tmp_path / "m20.msh").returncode == 0
     assert "nothing wrong" in call("mesh", "check", tmp_path / "m20.msh").stdout
+
+
+@pytest.mark.parametrize("order,hexahedra", [(1, False), (1, True), (2, False), (2, True)])
+def test_files_of_gmsh_are_its_model(tmp_path: pathlib.Path, order: int, hexahedra: bool) -> None:
+    """Medit, Nastran and SU2 as gmsh writes them, against its own format."""
+    gmsh = pytest.importorskip("gmsh")
+    gmsh.initialize(["gmsh", "-v", "0"])
+    try:
+        gmsh.model.occ.addBox(0, 0, 0, 0.3, 1 / 7, 0.1)
+        gmsh.model.occ.synchronize()
+        gmsh.model.setPhysicalName(3, gmsh.model.addPhysicalGroup(3, [1], 7), "body")
+        gmsh.model.setPhysicalName(2, gmsh.model.addPhysicalGroup(2, [1], 8), "left")
+        gmsh.option.setNumber("Mesh.SecondOrderIncomplete", 1)
+        gmsh.option.setNumber("Mesh.MeshSizeMax", 0.1)
+        for dimension, tag in gmsh.model.getEntities() if hexahedra else ():
+            if dimension == 1:
+                gmsh.model.mesh.setTransfiniteCurve(tag, 3)
+            if dimension == 2:
+                gmsh.model.mesh.setTransfiniteSurface(tag)
+                gmsh.model.mesh.setRecombine(2, tag)
+            if dimension == 3:
+                gmsh.model.mesh.setTransfiniteVolume(tag)
+        gmsh.model.mesh.generate(3)
+        gmsh.model.mesh.setOrder(order)
+        for extension in ("msh", "mesh", "bdf", "su2"):
+            gmsh.write(str(tmp_path / f"m.{extension}"))
+    finally:
+        gmsh.finalize()
+    right = rw.load_mesh(tmp_path / "m.msh")
+    element = (("tet4", "hex8"), ("tet10", "hex20"))[order - 1][hexahedra]
+
+    def places(mesh: rw.Mesh, nodes: NDArray[np.int32]) -> set[tuple[float, ...]]:
+        return {tuple(point) for point in np.round(mesh.points[nodes], 9)}
+
+    left = places(right, right.node_sets["left"])
+
+    def ours(extension: str, digits: float) -> rw.Mesh:
+        mesh = rw.load_mesh(tmp_path / f"m.{extension}")
+        assert len(mesh.points) == len(right.points) and mesh.cells[element].shape == right.cells[element].shape
+        middles, others = (np.sort(m.points[m.cells[element]].mean(axis=1) @ [1, 3.1, 7.7]) for m in (mesh, right))
+        assert np.allclose(middles, others, rtol=0, atol=digits)
+        return mesh
+
+    ours("bdf", 1e-5)
+    if order == 1:
+        medit, su2 = ours("mesh", 1e-12), ours("su2", 1e-12)
+        assert places(su2, su2.node_sets["left"]) == left
+        assert any(places(medit, nodes) == left for nodes in medit.node_sets.values())
+    else:
+        assert call("mesh", "check", tmp_path / "m.su2").returncode == 2
+        result = call("mesh", "check", tmp_path / "m.mesh")
+        assert result.returncode == 2 and "a Medit mesh; " in result.stderr, result
+
+
+def test_medit_as_mmg_writes_it(tmp_path: pathlib.Path) -> None:
+    """Sections that tell of the shape, a version of long numbers, and blanks before and after."""
+    (tmp_path / "m.mesh").write_text("""
+MeshVersionFormatted 3
+
+Dimension 3
+# nodes
+Vertices
+ 4
+0 0 0 1
+1 0 0 0
+0 1 0 0
+0 0 1 0
+
+Corners
+2
+1
+2
+RequiredTriangles
+1
+1
+Triangles
+1
+1 2 3 5
+Ridges
+1
+1
+Normals
+1
+0 0 1
+NormalAtVertices
+1
+1 1
+Tetrahedra
+1
+1 2 3 4 6
+End
+""")
+    mesh = rw.load_mesh(tmp_path / "m.mesh")
+    assert np.array_equal(mesh.points, [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])
+    assert list(mesh.node_sets["surface-5"]) == [0, 1, 2] and list(mesh.cell_sets["volume-6"][0]) == [0]
+
+
+@pytest.mark.parametrize("element", ["tet4", "tet10", "hex8", "hex20", "wedge6", "pyramid5"])
+def test_exodus_of_vtk_is_its_grid(tmp_path: pathlib.Path, element: str) -> None:
+    """As VTK's own writer of Exodus has it, whose order of nodes is that of Exodus."""
+    exodus = pytest.importorskip("vtkmodules.vtkIOExodus")
+    xml = pytest.importorskip("vtkmodules.vtkIOXML")
+    points, blocks = a_mesh(element)
+    right = rw.Mesh(points, [(NAMES[name], cells) for name, cells in blocks])
+    right.save(tmp_path / "m.vtu")
+    reader, writer = xml.vtkXMLUnstructuredGridReader(), exodus.vtkExodusIIWriter()
+    reader.SetFileName(str(tmp_path / "m.vtu"))
+    writer.SetInputConnection(reader.GetOutputPort())
+    writer.SetFileName(str(tmp_path / "m.exo"))
+    writer.WriteOutBlockIdArrayOff()
+    writer.WriteOutGlobalNodeIdArrayOff()
+    writer.WriteOutGlobalElementIdArrayOff()
+    assert writer.Write() == 1
+    mesh = rw.load_mesh(tmp_path / "m.exo")
+    assert np.array_equal(mesh.points, points)
+    assert np.array_equal(mesh.cells[element], right.cells[element])
+    assert not any("turned" in note for note in mesh.notes)
 
 
 def test_a_converted_mesh_is_the_same_for_the_monitor(tmp_path: pathlib.Path) -> None:
