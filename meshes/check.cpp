@@ -91,9 +91,13 @@ MeshProblem problemOf(const Mesh& mesh, ElementRef e, MeshProblem::Kind kind, do
   return problem;
 }
 
-/// Why a quadratic element may be wrong: nodes lie in the middles of other edges than their own. "" where none does.
-std::string otherOrder(const Mesh& mesh, const ElementInfo& info, const std::int32_t* nodes) {
-  if (info.order == 1) return {};
+/// Why an element may be wrong that is in another program's order; "" for one that is not.
+std::string otherOrder(const Mesh& mesh, const ElementInfo& info, const JacobianProbe& probe,
+                       const std::int32_t* nodes) {
+  if (info.order == 1)
+    return detail::nodesOutOfRows(mesh, info, probe, nodes).empty()
+               ? ""
+               : "; its nodes go in rows, as those of VTK's voxels, which `ringwatch mesh repair` puts right";
   const std::vector<int> edges = detail::edgesOfMiddles(mesh, info, nodes);
   int misplaced = 0, first = -1;
   for (int i = 0; i < static_cast<int>(edges.size()); ++i)
@@ -154,11 +158,11 @@ std::vector<MeshProblem> checkMesh(const Mesh& mesh) {
       if (range.min < -least)
         report(e, MeshProblem::Kind::inverted, range.min,
                joinText("is inverted: its Jacobian determinant is ", range.min, " m³; it must be above 0",
-                        otherOrder(mesh, info, nodes)));
+                        otherOrder(mesh, info, probe, nodes)));
       else if (range.min <= least)
         report(e, MeshProblem::Kind::degenerate, range.min,
                joinText("is degenerate: its Jacobian determinant is ", range.min, " m³ with a longest edge of ", length,
-                        " m; it must be above ", least, otherOrder(mesh, info, nodes),
+                        " m; it must be above ", least, otherOrder(mesh, info, probe, nodes),
                         nodesAtOnePlace(mesh, info, nodes, length)));
     }
     std::vector<std::int32_t> order(count);
@@ -298,6 +302,22 @@ std::string_view programOfOrder(const ElementInfo& info, const std::vector<int>&
   // Upright edges before those of the top.
   if (edges == std::vector<int>{0, 1, 2, 3, 8, 9, 10, 11, 4, 5, 6, 7}) return "Exodus' and Nastran's";
   return "another program's";
+}
+
+std::vector<std::int32_t> nodesOutOfRows(const Mesh& mesh, const ElementInfo& info, const JacobianProbe& probe,
+                                         const std::int32_t* nodes) {
+  constexpr int pyramid = 5, hexahedron = 8;  // nodes
+  if (info.order != 1 || (info.nodes != hexahedron && info.nodes != pyramid)) return {};
+  const auto isFolded = [&](const std::int32_t* own) {
+    const JacobianRange range = probe.range(mesh.X, own);
+    return !(range.min > 0) && !(range.max < 0);
+  };
+  if (!isFolded(nodes)) return {};
+  std::vector<std::int32_t> round(nodes, nodes + info.nodes);
+  std::swap(round[2], round[3]);
+  if (info.nodes == hexahedron) std::swap(round[6], round[7]);
+  if (isFolded(round.data())) return {};
+  return round;
 }
 
 std::vector<std::int32_t> firstNodesAtPlaces(const Mesh& mesh, double near, bool ofElements) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <ringwatch/meshes/check.h>
+#include <ringwatch/meshes/quality.h>
 
 namespace ringwatch::detail {
 
@@ -33,6 +34,10 @@ std::vector<int> edgesOfMiddles(const Mesh& mesh, const ElementInfo& info, const
 /// Whose order of the nodes on edges this is: "gmsh's", "Exodus' and Nastran's", "another program's". edges: as of
 /// edgesOfMiddles.
 std::string_view programOfOrder(const ElementInfo& info, const std::vector<int>& edges);
+/// The nodes of a linear hexahedron or pyramid that is folded because its quadrilaterals go in rows where they should
+/// go round, as VTK's voxels do, in our order; empty for another element. probe: of its type.
+std::vector<std::int32_t> nodesOutOfRows(const Mesh& mesh, const ElementInfo& info, const JacobianProbe& probe,
+                                         const std::int32_t* nodes);
 /// For each node the first one that lies closer to it than `near` (m) and than 1e-9 of the diagonal of the bounding
 /// box, itself where none does. ofElements: only nodes of elements count.
 std::vector<std::int32_t> firstNodesAtPlaces(const Mesh& mesh, double near, bool ofElements);

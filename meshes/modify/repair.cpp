@@ -12,13 +12,20 @@
 namespace ringwatch {
 namespace {
 
-void putMiddlesOnTheirEdges(Mesh& mesh, const std::string& source, std::vector<std::string>& done) {
+/// Puts nodes that are in another program's order into ours.
+void putInOrder(Mesh& mesh, const std::string& source, std::vector<std::string>& done) {
   for (MeshBlock& block : mesh.blocks) {
     const ElementInfo& info = elementInfo(block.type);
-    if (info.order == 1) continue;
-    std::map<std::vector<int>, std::size_t> orders;
+    const JacobianProbe probe(info);
+    std::map<std::vector<int>, std::size_t> orders;  // of the nodes on edges
+    std::size_t inRows = 0;
     for (std::size_t e = 0; e < block.elementCount(); ++e) {
       std::int32_t* const nodes = block.connectivity.data() + e * static_cast<std::size_t>(info.nodes);
+      if (const std::vector<std::int32_t> round = detail::nodesOutOfRows(mesh, info, probe, nodes); !round.empty()) {
+        std::ranges::copy(round, nodes);
+        ++inRows;
+      }
+      if (info.order == 1) continue;
       const std::vector<int> edges = detail::edgesOfMiddles(mesh, info, nodes);
       std::vector<int> sorted = edges;
       std::ranges::sort(sorted);
@@ -28,6 +35,9 @@ void putMiddlesOnTheirEdges(Mesh& mesh, const std::string& source, std::vector<s
       for (std::size_t i = 0; i < edges.size(); ++i) middles[edges[i]] = before[i];
       ++orders[edges];
     }
+    if (inRows > 0)
+      done.push_back(joinText(source, ": ", inRows, " of ", block.elementCount(), " ", info.name,
+                              " have their nodes in rows, as VTK's voxels; they were put into our order"));
     for (const auto& [order, count] : orders)
       done.push_back(joinText(source, ": ", count, " of ", block.elementCount(), " ", info.name,
                               " have the nodes on their edges in ", detail::programOfOrder(info, order),
@@ -81,7 +91,7 @@ RepairedMesh repairMesh(Mesh mesh, const std::string& source, std::optional<doub
   requireValid(mesh);
   RepairedMesh repaired;
   std::vector<std::string>& done = repaired.done;
-  putMiddlesOnTheirEdges(mesh, source, done);
+  putInOrder(mesh, source, done);
 
   std::vector<std::int32_t> nodeAt(mesh.nodeCount());
   std::iota(nodeAt.begin(), nodeAt.end(), 0);

@@ -15,8 +15,8 @@ struct RepairedMesh {
   std::vector<MeshProblem> problems;  // what is left
 };
 
-/// Mends what is wrong with the numbers of a mesh, and not with its shape: puts nodes on edges that are in another
-/// program's order into ours, joins nodes at one place, makes of an element that holds a node several times the wedge,
+/// Mends what is wrong with the numbers of a mesh, and not with its shape: puts nodes that are in another program's
+/// order into ours, joins nodes at one place, makes of an element that holds a node several times the wedge,
 /// pyramid or tetrahedron that it is, leaves out an element that has no inside then and one that stands a second time,
 /// turns elements of the other handedness round, and drops nodes that no element uses. Sets keep what is left of their
 /// elements and nodes; an element that stood twice is in the sets of both. join: m; the nodes that lie closer to

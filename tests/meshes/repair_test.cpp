@@ -121,6 +121,23 @@ TEST(Repair, TheProgramWhoseOrderItIsIsNamed) {
   }
 }
 
+TEST(Repair, NodesInRowsAreTold) {
+  for (const char* element : {"hex8", "pyramid5"}) {
+    const Mesh right = generateBar({.cells = {2, 2, 1}, .element = element, .jitter = 0.1});
+    Mesh mesh = right;
+    MeshBlock& block = mesh.blocks[0];
+    const auto width = static_cast<std::size_t>(block.nodesPerElement());
+    for (std::size_t e = 0; e < block.elementCount(); e += 2)  // some of them
+      for (std::size_t a = 2; a + 1 < width; a += 4)
+        std::swap(block.connectivity[e * width + a], block.connectivity[e * width + a + 1]);
+    ASSERT_FALSE(checkMesh(mesh).empty());
+    EXPECT_THAT(checkMesh(mesh)[0].text, HasSubstr("its nodes go in rows, as those of VTK's voxels"));
+    const RepairedMesh repaired = repairMesh(mesh, "m");
+    EXPECT_THAT(repaired.done, ElementsAre(HasSubstr("have their nodes in rows, as VTK's voxels")));
+    expectSame(repaired.mesh, right);
+  }
+}
+
 TEST(Repair, WhatIsLeftIsListed) {
   Mesh mesh = generateBar({.cells = {2, 2, 2}});
   mesh.X.col(13) << 1.7, 1.8, 1.9;  // tetrahedra around the middle lie on each other
