@@ -102,7 +102,10 @@ std::string otherOrder(const Mesh& mesh, const ElementInfo& info, const Jacobian
   int misplaced = 0, first = -1;
   for (int i = 0; i < static_cast<int>(edges.size()); ++i)
     if (edges[i] != i && misplaced++ == 0) first = i;
-  if (misplaced == 0) return {};
+  std::vector<int> sorted = edges;
+  std::ranges::sort(sorted);
+  // A middle that two nodes lie in is no order.
+  if (misplaced == 0 || std::ranges::adjacent_find(sorted) != sorted.end()) return {};
   const int corners = cornerCount(info);
   return joinText("; ", misplaced, " of its nodes lie in the middle of another's edge, node ",
                   nodeId(mesh, nodes[corners + first]), " where node ", nodeId(mesh, nodes[corners + edges[first]]),
@@ -155,15 +158,17 @@ std::vector<MeshProblem> checkMesh(const Mesh& mesh) {
       const double length = longestEdge(info, mesh.X, nodes);
       // J is compared as a volume: det J times the reference volume. A NaN belongs to its node, reported below.
       const double least = degenerateLimit * length * length * length / info.referenceVolume;
+      const std::string order = range.min <= least || info.order > 1 ? otherOrder(mesh, info, probe, nodes) : "";
       if (range.min < -least)
         report(e, MeshProblem::Kind::inverted, range.min,
-               joinText("is inverted: its Jacobian determinant is ", range.min, " m³; it must be above 0",
-                        otherOrder(mesh, info, probe, nodes)));
+               joinText("is inverted: its Jacobian determinant is ", range.min, " m³; it must be above 0", order));
       else if (range.min <= least)
         report(e, MeshProblem::Kind::degenerate, range.min,
                joinText("is degenerate: its Jacobian determinant is ", range.min, " m³ with a longest edge of ", length,
-                        " m; it must be above ", least, otherOrder(mesh, info, probe, nodes),
-                        nodesAtOnePlace(mesh, info, nodes, length)));
+                        " m; it must be above ", least, order, nodesAtOnePlace(mesh, info, nodes, length)));
+      else if (!order.empty())  // of a tetrahedron, whose Jacobian determinant may stay above 0
+        report(e, MeshProblem::Kind::inverted, range.min,
+               joinText("is not what it should be: its Jacobian determinant is ", range.min, " m³", order));
     }
     std::vector<std::int32_t> order(count);
     std::iota(order.begin(), order.end(), 0);

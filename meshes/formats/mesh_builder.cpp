@@ -61,50 +61,50 @@ class NodeIndex {
   std::unordered_map<std::int64_t, std::int32_t> map_;
 };
 
-/// The tetrahedron, pyramid or wedge that is left of an element whose nodes are not all different: its faces are those
-/// of the element without repeated corners, where three are left. left: its nodes. nullptr for any other shape.
-const FileElement* collapsed(const ElementInfo& info, const std::int64_t* nodes, std::array<std::int64_t, 6>& left) {
-  using Face = std::vector<std::int64_t>;
-  std::vector<Face> triangles, quads;
+using Face = std::vector<std::int64_t>;
+
+/// The faces of an element without repeated corners, where three or more are left, each begun with its least node, in
+/// order.
+std::vector<Face> facesOf(const ElementInfo& info, const std::int64_t* nodes) {
+  std::vector<Face> faces;
   for (const auto& corners : info.faces) {
     Face face;
     for (const int corner : corners)
       if (corner >= 0 && (face.empty() || face.back() != nodes[corner])) face.push_back(nodes[corner]);
     if (face.size() > 1 && face.front() == face.back()) face.pop_back();
-    Face different = face;
-    sortUnique(different);
     if (face.size() < 3) continue;
-    if (different.size() != face.size()) return nullptr;
-    (face.size() == 3 ? triangles : quads).push_back(std::move(face));
+    std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
+    faces.push_back(std::move(face));
   }
+  std::ranges::sort(faces);
+  return faces;
+}
+
+/// The tetrahedron, pyramid or wedge that is left of an element whose nodes are not all different: the one that has the
+/// very faces of the element, so that it fills the same space. left: its nodes. nullptr for any other shape.
+const FileElement* collapsed(const ElementInfo& info, const std::int64_t* nodes, std::array<std::int64_t, 6>& left) {
+  const std::vector<Face> faces = facesOf(info, nodes);
   std::vector<std::int64_t> all(nodes, nodes + info.nodes);
   sortUnique(all);
-  const auto holds = [](const Face& face, std::int64_t node) {
-    return std::find(face.begin(), face.end(), node) != face.end();
-  };
+  const auto isBase = [&](const Face& face) { return face.size() == (all.size() == 5 ? 4U : 3U); };
+  const auto base = std::ranges::find_if(faces, isBase);
+  if (all.size() < 4 || all.size() > 6 || base == faces.end()) return nullptr;
+  const auto holds = [&](std::int64_t node) { return std::ranges::find(*base, node) != base->end(); };
   /// Faces look outward, the first face of an element inward.
-  const auto copyInward = [&](const Face& base) {
-    for (std::size_t i = 0; i < base.size(); ++i) left[i] = base[(base.size() - i) % base.size()];
-  };
-  const bool pyramid = all.size() == 5 && quads.size() == 1 && triangles.size() == 4;
-  if (pyramid || (all.size() == 4 && triangles.size() >= 2)) {
-    const Face& base = pyramid ? quads.front() : triangles.front();
-    copyInward(base);
-    left[base.size()] = *std::find_if(all.begin(), all.end(), [&](std::int64_t node) { return !holds(base, node); });
-    return findVtkElement(pyramid ? 14 : 10);
+  for (std::size_t i = 0; i < base->size(); ++i) left[i] = (*base)[(base->size() - i) % base->size()];
+  if (all.size() == 6) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      left[3 + i] = -1;
+      for (const Face& face : faces)
+        for (std::size_t k = 0; face.size() == 4 && k < 4; ++k)
+          for (const std::int64_t above : {face[(k + 1) % 4], face[(k + 3) % 4]})
+            if (face[k] == left[i] && !holds(above)) left[3 + i] = above;
+    }
+  } else {
+    left[base->size()] = *std::ranges::find_if_not(all, holds);
   }
-  if (all.size() != 6 || quads.size() != 3 || triangles.size() != 2) return nullptr;
-  const Face& base = triangles.front();
-  copyInward(base);
-  for (std::size_t i = 0; i < 3; ++i) {
-    left[3 + i] = -1;
-    for (const Face& quad : quads)
-      for (std::size_t k = 0; k < 4; ++k)
-        for (const std::int64_t above : {quad[(k + 1) % 4], quad[(k + 3) % 4]})
-          if (quad[k] == left[i] && !holds(base, above)) left[3 + i] = above;
-    if (left[3 + i] < 0) return nullptr;
-  }
-  return findVtkElement(13);
+  const FileElement* const type = findVtkElement(all.size() == 6 ? 13 : all.size() == 5 ? 14 : 10);
+  return facesOf(*elementOf(*type), left.data()) == faces ? type : nullptr;
 }
 
 }  // namespace

@@ -339,8 +339,7 @@ def convert(path, kind, folder):
     cell_data["originalElementId"] = np.split(
         np.asarray(element_ids, dtype=np.int64), np.cumsum([len(data) for _, data in cells])[:-1]
     )
-    # VTK's linear wedge goes round its triangles the other way.
-    cells = [(name, data[:, [0, 2, 1, 3, 5, 4]] if name == "wedge" else data) for name, data in cells]
+    # meshio puts wedges into VTK's order itself.
     meshio.write_points_cells(
         os.path.join(folder, "mesh.vtu"), points, cells, point_data, cell_data, file_format="vtu", compression=None
     )

@@ -121,6 +121,20 @@ TEST(Repair, TheProgramWhoseOrderItIsIsNamed) {
   }
 }
 
+TEST(Repair, EveryOtherOrderOfTheNodesOnEdgesIsTold) {
+  const Mesh right = generateBar({.cells = {1, 1, 1}, .element = "tet10", .jitter = 0.1});
+  for (int i = 4; i < 10; ++i)
+    for (int k = 4; k < i; ++k) {
+      Mesh mesh = right;
+      for (std::size_t e = 0; e < mesh.blocks[0].elementCount(); ++e)
+        std::swap(mesh.blocks[0].connectivity[10 * e + i], mesh.blocks[0].connectivity[10 * e + k]);
+      const std::vector<MeshProblem> problems = checkMesh(mesh);
+      ASSERT_EQ(problems.size(), mesh.elementCount()) << i << " " << k;
+      EXPECT_THAT(problems[0].text, HasSubstr(i == 9 && k == 8 ? "gmsh's order" : "another program's order"));
+      expectSame(repairMesh(mesh, "m").mesh, right);
+    }
+}
+
 TEST(Repair, NodesInRowsAreTold) {
   for (const char* element : {"hex8", "pyramid5"}) {
     const Mesh right = generateBar({.cells = {2, 2, 1}, .element = element, .jitter = 0.1});
