@@ -62,6 +62,11 @@ double longestEdge(const ElementInfo& info, const NodeVectors& x, const std::int
   return std::sqrt(squared);
 }
 
+/// The least Jacobian determinant of a sound element, m³: compared as a volume, det J times the reference volume.
+double leastOf(const ElementInfo& info, double length) {
+  return degenerateLimit * length * length * length / info.referenceVolume;
+}
+
 bool nodesInRange(const Mesh& mesh, const std::int32_t* nodes, int count) {
   return std::all_of(nodes, nodes + count,
                      [&](std::int32_t n) { return n >= 0 && static_cast<std::size_t>(n) < mesh.nodeCount(); });
@@ -156,8 +161,7 @@ std::vector<MeshProblem> checkMesh(const Mesh& mesh) {
       }
       const JacobianRange range = probe.range(mesh.X, nodes);
       const double length = longestEdge(info, mesh.X, nodes);
-      // J is compared as a volume: det J times the reference volume. A NaN belongs to its node, reported below.
-      const double least = degenerateLimit * length * length * length / info.referenceVolume;
+      const double least = leastOf(info, length);  // a NaN belongs to its node, reported below
       const std::string order = range.min <= least || info.order > 1 ? otherOrder(mesh, info, probe, nodes) : "";
       if (range.min < -least)
         report(e, MeshProblem::Kind::inverted, range.min,
@@ -249,6 +253,10 @@ void requireSound(Mesh& mesh, const std::string& source, std::vector<std::string
 }
 
 namespace detail {
+
+double leastJacobian(const ElementInfo& info, const NodeVectors& X, const std::int32_t* nodes) {
+  return leastOf(info, longestEdge(info, X, nodes));
+}
 
 void dropUnusedNodes(Mesh& mesh, const std::string& source, std::vector<std::string>* notes) {
   const std::vector<bool> used = usedNodes(mesh);

@@ -41,6 +41,8 @@ std::vector<std::int32_t> nodesOutOfRows(const Mesh& mesh, const ElementInfo& in
 /// For each node the first one that lies closer to it than `near` (m) and than 1e-9 of the diagonal of the bounding
 /// box, itself where none does. ofElements: only nodes of elements count.
 std::vector<std::int32_t> firstNodesAtPlaces(const Mesh& mesh, double near, bool ofElements);
+/// The least Jacobian determinant of a sound element, m³.
+double leastJacobian(const ElementInfo& info, const NodeVectors& X, const std::int32_t* nodes);
 /// Drops the nodes that no element uses, with a note.
 void dropUnusedNodes(Mesh& mesh, const std::string& source, std::vector<std::string>* notes);
 std::string droppedNodesNote(const std::string& source, std::int64_t dropped, std::int64_t firstId);

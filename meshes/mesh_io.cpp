@@ -68,7 +68,7 @@ constexpr MeshFormatEntry formatsOfLibrary[] = {
      detail::readInp,
      detail::startsWithDeck},
     {.info = {".exo/.med/.xdmf/.mesh/.bdf", "what meshio reads",
-              "Exodus, MED, XDMF, Medit, Nastran, Netgen, CGNS, SU2 and others, with their groups; python3-meshio is "
+              "Exodus, MED, XDMF, Medit, Nastran, Netgen and SU2, with their groups; python3-meshio is "
               "called",
               false}},  // `read` below finds the one of them
 };

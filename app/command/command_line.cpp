@@ -47,6 +47,7 @@
 #include <ringwatch/meshes/check_texts.h>
 #include <ringwatch/meshes/mesh_io.h>
 #include <ringwatch/meshes/modify/repair.h>
+#include <ringwatch/meshes/quality.h>
 #include <ringwatch/monitor/metrics/metrics.h>
 
 namespace ringwatch {
@@ -892,6 +893,9 @@ struct MeshCommand {
     for (const std::string& line : repaired.done) text += line + "\n";
     if (repaired.done.empty()) text += fmt::format("{}: nothing more to repair\n", input);
     text += problemLines(repaired.problems, true);
+    if (distance)
+      text += fmt::format("{}: the volume was {:.10g} m³ and is {:.10g} m³\n", target, meshVolume(mesh),
+                          meshVolume(repaired.mesh));
     text += fmt::format("{}: {} nodes, {}{}\n", target, repaired.mesh.nodeCount(), elementCounts(repaired.mesh),
                         repaired.problems.empty() ? "" : "; left: " + kindsOf(repaired.problems));
     printOut(text);

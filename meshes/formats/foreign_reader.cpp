@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <csignal>
 #include <fstream>
 #include <sstream>
 
@@ -37,17 +38,19 @@ constexpr ForeignFormat formats[] = {
     {"CDF\x01", {}, "a netCDF file, as of Exodus", "exodus", {}},
     {"CDF\x02", {}, "a netCDF file, as of Exodus", "exodus", {}},
     {"CDF\x05", {}, "a netCDF file, as of Exodus", "exodus", {}},
-    {"\x89HDF", {}, "an HDF5 file, as of MED, CGNS, Exodus and XDMF", "hdf5", {}},
+    {"\x89HDF", {}, "an HDF5 file, as of MED, Exodus and XDMF", "hdf5", {}},
     {"<Xdmf", {}, "an XDMF file", "xdmf", {}},
-    {"<dolfin", {}, "a mesh of dolfin", "dolfin-xml", {}},
+    {"<dolfin", {}, "a mesh of dolfin", {}, writeAnother},
     {"mesh3d", " .vol ", "a Netgen mesh", "netgen", {}},
-    {"* FLAC3D", " .f3grid ", "a FLAC3D grid", "flac3d", {}},
+    {"* FLAC3D", " .f3grid ", "a FLAC3D grid", {}, writeAnother},
     {"NDIME", " .su2 ", "an SU2 mesh", "su2", {}},
-    {"Begin ", " .mdpa ", "a model part of Kratos", "mdpa", {}},
-    {{}, " .avs .ucd ", "a mesh of AVS-UCD", "avsucd", {}},
-    {{}, " .ugrid ", "a UGRID mesh", "ugrid", {}},
-    {{}, " .tec ", "a Tecplot file", "tecplot", {}},
-    {{}, " .dato .post ", "a PERMAS file", "permas", {}},
+    {"Begin ", " .mdpa ", "a model part of Kratos", {}, writeAnother},
+    {{}, " .avs .ucd ", "a mesh of AVS-UCD", {}, writeAnother},
+    {{}, " .ugrid ", "a UGRID mesh", {}, writeAnother},
+    {{}, " .tec ", "a Tecplot file", {}, writeAnother},
+    {{}, " .dato .post ", "a PERMAS file", {}, writeAnother},
+    {{}, " .cgns ", "a CGNS file", {}, writeAnother},
+    {{}, " .h5m ", "a mesh of MOAB", {}, writeAnother},
     {"*KEYWORD", " .k .key .dyn ", "an LS-DYNA deck", {}, writeAnother},
     {"#RADIOSS", " .rad ", "a Radioss deck", {}, writeAnother},
     {"/BEGIN", {}, "a Radioss deck", {}, writeAnother},
@@ -94,9 +97,9 @@ const ForeignFormat* foreignByContent(std::string_view text) {
 }
 
 const ForeignFormat* foreignByExtension(const std::filesystem::path& path) {
-  const std::string extension = joinText(" ", path.extension().string(), " ");
+  const std::string extension = joinText(" ", inUpperCase(path.extension().string()), " ");
   for (const ForeignFormat& format : formats)
-    if (extension.size() > 2 && format.extensions.find(extension) != std::string_view::npos) return &format;
+    if (extension.size() > 2 && inUpperCase(format.extensions).find(extension) != std::string::npos) return &format;
   return nullptr;
 }
 
@@ -114,8 +117,8 @@ Mesh readForeign(const ForeignFormat& format, const std::filesystem::path& path,
                          std::string(format.kind), folder.path().string()},
                         folder.path());
     said = linesOf(folder.path() / "said");
-    constexpr int moduleMissing = 3;
-    if (result.found && result.status != moduleMissing) break;
+    constexpr int killed = 128;
+    if (result.found && (result.status == 0 || (result.status == 1 && !said.empty()) || result.status >= killed)) break;
     if (said.empty()) said.emplace_back("python3");
   }
   if (result.found && result.status == 0) {
@@ -126,6 +129,9 @@ Mesh readForeign(const ForeignFormat& format, const std::filesystem::path& path,
   }
   if (result.found && result.status == 1 && !said.empty())
     throw InputError(joinText(source, ": this is ", format.name, "; ", said.front()));
+  if (result.found && result.status == 128 + SIGALRM)
+    throw InputError(joinText(source, ": this is ", format.name,
+                              "; reading it by meshio took 10 minutes without an end; is it cut off?"));
   if (result.found && result.status != 3)
     throw InputError(
         joinText(source, ": this is ", format.name, "; reading it by meshio ended with status ", result.status));

@@ -7,22 +7,28 @@ originalNodeId, originalElementId and set:NAME are the file's numbers and groups
 and one line in FOLDER/said where the file is no mesh, and with 3 and the name of a module that is missing.
 """
 import contextlib
+import ctypes
 import io
 import os
 import re
+import shutil
+import signal
 import sys
+from xml.sax.saxutils import escape
 
 # The folder of the file becomes the current one, and modules are not to be found there.
 sys.path[:] = [folder for folder in sys.path if folder]
 
+MOST_SECONDS = 600  # of one file; meshio does not find the end of some files that are cut off
+QUOTE = {'"': "&quot;"}
 FLAT = (("vertex",), ("line",), ("triangle", "quad"))  # how meshio's names begin, by dimension
 DIMENSIONS = ("point", "curve", "surface", "volume")
 # Fields of one integer a cell or point that are groups by their very meaning, so that a group is named by dimension and number, as
 # ringwatch names groups of gmsh without a name; 0 stands for none.
-MARKERS = ("gmsh:physical", "medit:ref", "nastran:ref", "netgen:index", "su2:tag", "avsucd:material")
+MARKERS = ("gmsh:physical", "medit:ref", "netgen:index", "su2:tag")
 NO_GROUPS = ("gmsh:geometrical", "gmsh:dim_tags", "cell_ids")
-NAMED = "tags of string type"  # what meshio says of SU2's markers, whose names are found here
 MOST_VALUES = 1000  # of an integer field that is taken for groups; more are numbers of something else
+NETGEN_NAMES = {"materials": 3, "bcnames": 2, "cd2names": 1, "cd3names": 0}  # the dimensions of what they name
 MEDIT_HEAD = ("MeshVersionFormatted", "Dimension", "Vertices")
 MEDIT_CELLS = {"Edges": 2, "Triangles": 3, "Quadrilaterals": 4, "Tetrahedra": 4, "Prisms": 6, "Pyramids": 5, "Hexahedra": 8, "Hexaedra": 8}
 CORNERS = {"tetra": 4, "pyramid": 5, "wedge": 6, "hexahedron": 8}
@@ -33,6 +39,17 @@ EDGES = {
     "wedge": ((0, 1), (1, 2), (2, 0), (3, 4), (4, 5), (5, 3), (0, 3), (1, 4), (2, 5)),
     "hexahedron": ((0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4), (0, 4), (1, 5), (2, 6), (3, 7)),
 }
+# Of Nastran's elements: the shape, the nodes of the linear and the quadratic one, and whether it is always the latter.
+NASTRAN = {
+    "CTETRA": ("tetra", 4, 10, False), "CPYRAM": ("pyramid", 5, 13, False), "CPYRA": ("pyramid", 5, 13, False),
+    "CPENTA": ("wedge", 6, 15, False), "CHEXA": ("hexahedron", 8, 20, False), "CTRIA3": ("triangle", 3, 3, False),
+    "CTRIAR": ("triangle", 3, 3, False), "CTRIA6": ("triangle", 3, 6, True), "CQUAD4": ("quad", 4, 4, False),
+    "CQUADR": ("quad", 4, 4, False), "CQUAD8": ("quad", 4, 8, True), "CBAR": ("line", 2, 2, False),
+    "CBEAM": ("line", 2, 2, False), "CROD": ("line", 2, 2, False), "CTUBE": ("line", 2, 2, False),
+}  # fmt: skip
+# How the names of other elements without a volume begin, and of other cards with a C.
+NASTRAN_FLAT = ("CELAS", "CBUSH", "CGAP", "CONROD", "CMASS", "CDAMP", "CONM", "CVISC", "CFAST", "CWELD", "CSEAM", "CSHEAR", "CQUAD", "CBEND", "RBE", "RBAR", "RROD")
+NASTRAN_OTHERS = (*NASTRAN_FLAT, "CORD", "CEND", "CHBDY", "CONV", "CREEP", "CAERO", "CSET", "CSUP", "CYSYM", "CYJOIN", "CONTACT", "COMMENT")
 # The sides of Exodus' elements, in their order there.
 EXODUS_SIDES = {
     "tetra": ((0, 1, 3), (1, 2, 3), (0, 3, 2), (0, 2, 1)),
@@ -92,7 +109,7 @@ def is_marker(name, data):
     return name not in NO_GROUPS and all(own.dtype.kind in "iu" and own.size == len(own) for own in data)
 
 
-def groups_of_meshio(mesh, cells, groups):
+def groups_of_meshio(mesh, cells, groups, physical):
     def members_of(own):
         own = np.asarray(() if own is None else own)
         return np.flatnonzero(own) if own.dtype == bool else own.astype(np.int64)
@@ -105,7 +122,6 @@ def groups_of_meshio(mesh, cells, groups):
                 groups.add_cells(str(name), block, members_of(own))
     # Families of MED: a number at each node and cell, and the groups that it stands for.
     point_families, cell_families = getattr(mesh, "point_tags", {}), getattr(mesh, "cell_tags", {})
-    physical = {(int(v[0]), int(v[1])): n for n, v in mesh.field_data.items() if np.size(v) == 2}
     for field, data in mesh.point_data.items():
         if not is_marker(field, [data]):
             continue
@@ -220,33 +236,107 @@ def hdf5_kind(path):
     import h5py
 
     with h5py.File(path, "r") as file:
-        for name, kind in (("ENS_MAA", "med"), ("CGNSLibraryVersion", "cgns"), ("Base", "cgns"), ("tstt", "h5m")):
-            if name in file:
-                return kind
+        if "ENS_MAA" in file:
+            return "med"
         if any(name.startswith("coord") for name in file):
             return "exodus"
-    raise Fault("is an HDF5 file of no kind that is known (MED, Exodus, CGNS, MOAB); of an XDMF mesh name the .xdmf file")
+    raise Fault("is an HDF5 file of no kind that is read (MED and Exodus are); of an XDMF mesh name the .xdmf file")
 
 
 # What follows makes copies that meshio takes, of files as other programs write them.
 
 
-def plain_nastran(path, folder):
-    """With the frame that meshio asks for. It passes over cards that it does not know, and over what other files hold."""
-    types = meshio.nastran._nastran.nastran_to_meshio_type
+def nastran_cards(path):
+    """The bulk data: of each card its line, its name in capitals and its fields, with those of the lines that continue it."""
     with open(path, encoding="utf-8", errors="replace") as file:
-        lines = file.read().splitlines()
+        lines = [line.split("$")[0].rstrip().expandtabs(8) for line in file]
+    begins = [at for at, line in enumerate(lines) if re.match(r"\s*BEGIN\b", line, re.I)]
+    if len(begins) > 1:
+        raise Fault(f"line {begins[1] + 1}: a second BEGIN; decks of one part are read")
+    cards, mark = [], ""
     for number, line in enumerate(lines, 1):
-        card = re.match(r"[A-Za-z0-9]*\*?", line)[0].upper()
-        if card == "INCLUDE" or (card.endswith("*") and card[:-1] in types):
-            raise Fault(f"line {number}: {card} is not read; elements in the small or free format in one file are")
-    begin = [] if any(line.strip().startswith("BEGIN BULK") for line in lines) else ["BEGIN BULK"]
-    return written(folder, "mesh.bdf", [*begin, *lines, "ENDDATA"])
+        if re.match(r"\s*INCLUDE\b", line, re.I):
+            raise Fault(f"line {number}: INCLUDE is not read; decks in one file are")
+        if re.match(r"\s*ENDDATA\b", line, re.I):
+            break
+        if not line.strip() or number <= (begins[0] + 1 if begins else 0):
+            continue
+        free = [field.strip() for field in line.split(",")] if "," in line else None
+        name = (free[0] if free else line[:8]).strip().upper()
+        width = 4 if "*" in name else 8  # fields of a line, in the large format and in the small one
+        if free and len(free) > width + 2:
+            raise Fault(f"line {number} has {len(free)} fields; at most {width + 2} are read")
+        fields = free[1:] if free else [line[8 + i * 64 // width : 8 + (i + 1) * 64 // width].strip() for i in range(width)] + [line[72:80].strip()]
+        fields += [""] * (width + 1 - len(fields))
+        if name[:1] in ("", "+", "*"):
+            if not cards or (name[1:] and mark and name[1:] != mark):
+                raise Fault(f"line {number} goes on with a card that does not stand before it")
+            cards[-1][2].extend(fields[:width])
+        else:
+            cards.append((number, name.rstrip("*_"), fields[:width]))  # meshio writes CTETRA_ for one of 10 nodes
+        mark = fields[width].upper().lstrip("+*")
+    return cards
+
+
+def read_nastran(path):
+    """As read_exodus. Read here, since meshio passes over what it does not know and takes some cards for others."""
+    nodes, points, elements, numbers, left_out = {}, [], {}, set(), {}
+
+    def number_in(text, kind, line, card):
+        try:  # 1.5-3 and 1.5D-3 are 1.5e-3
+            return kind(re.sub(r"(?<=[\d.])([+-])", r"e\1", re.sub("[dD]", "e", text)) if kind is float else text)
+        except ValueError:
+            raise Fault(f'line {line}: {card} has "{text}" where a number is needed') from None
+
+    for line, card, fields in nastran_cards(path):
+        if card in ("GRID", "GRDSET"):
+            if fields[1] not in ("", "0"):
+                raise Fault(f"line {line}: {card} has coordinate system {fields[1]}; only the basic one is read")
+            if card == "GRID":
+                node = number_in(fields[0], int, line, card)
+                if node in nodes:
+                    raise Fault(f"line {line}: GRID {node} stands a second time")
+                nodes[node] = len(points)
+                points.append([number_in(text or "0", float, line, card) for text in fields[2:5]])
+        elif card in NASTRAN:
+            shape, linear, quadratic, always = NASTRAN[card]
+            element = number_in(fields[0], int, line, card)
+            if element in numbers:
+                raise Fault(f"line {line}: element {element} stands a second time")
+            numbers.add(element)
+            given = fields[2 : 2 + quadratic] + [""] * (quadratic - len(fields[2:]))
+            count = quadratic if always or any(given[linear:]) else linear
+            if not all(given[:count]) or (shape in CORNERS and any(fields[2 + quadratic :])):
+                raise Fault(f"line {line}: {card} {element} needs {linear} nodes" + f" or {quadratic}" * (quadratic > linear))
+            own = [number_in(text, int, line, card) for text in given[:count]]
+            for node in own:
+                if node not in nodes:
+                    elements.setdefault(None, []).append((line, card, element, node))
+            if count == 20:  # upright edges stand before those of the top
+                own = own[:12] + own[16:] + own[12:16]
+            kind = shape if count == linear else f"{shape}{count}"
+            elements.setdefault(kind, []).append((own, element, number_in(fields[1] or fields[0], int, line, card)))
+        elif card.startswith("C") and not card.startswith(NASTRAN_OTHERS):
+            raise Fault(f"line {line}: {card} is not known")
+        elif card.startswith(NASTRAN_FLAT):
+            left_out[card] = left_out.get(card, 0) + 1
+    for line, card, element, node in elements.pop(None, ()):
+        if node not in nodes:
+            raise Fault(f"line {line}: {card} {element} has node {node}, which has no GRID")
+    if left_out:
+        notes.append("left out are " + ", ".join(f"{count} {card}" for card, count in left_out.items()))
+    cells = [(kind, np.array([[nodes[node] for node in own] for own, _, _ in held])) for kind, held in elements.items()]
+    groups = Groups(np.array(points), cells)
+    for block, (kind, held) in enumerate(elements.items()):
+        properties = np.array([number for _, _, number in held])
+        for number in np.unique(properties):
+            groups.add_cells(f"{DIMENSIONS[dimension_of(kind)]}-{number}", block, np.flatnonzero(properties == number))
+    return np.array(points), cells, groups, list(nodes), [element for held in elements.values() for _, element, _ in held]
 
 
 def plain_medit(path, folder):
     """Without sections that tell of the shape (Ridges, RequiredTriangles, Normals, …), some of which meshio does not know, and of version
-    2: versions differ in binary files."""
+    2: versions differ in binary files, and meshio rounds the numbers of version 1."""
     with open(path, encoding="utf-8", errors="replace") as file:
         text = re.sub("#.*", "", file.read())
     names = list(re.finditer(r"^[ \t]*([A-Za-z]\w*)", text, re.M))
@@ -256,7 +346,7 @@ def plain_medit(path, folder):
         if re.search(r"[PQ]\d$", name[1]):
             raise Fault(f"{name[1]} are not read: elements are linear ones in what meshio knows of Medit")
         if name[1] == "MeshVersionFormatted":
-            content = ["1" if content == ["1"] else "2"]
+            content = ["2"]
         row = content[1].split("\n", 1)[0].split() if len(content) > 1 else []
         if len(row) > MEDIT_CELLS.get(name[1], len(row)) + 1:
             raise Fault(f"{name[1]} have {len(row)} numbers a line; linear ones, of {MEDIT_CELLS[name[1]] + 1}, are read")
@@ -266,18 +356,45 @@ def plain_medit(path, folder):
     return written(folder, "plain.mesh", [*lines, "End"])
 
 
-def names_of_su2(path):
-    """The numbers that meshio gives to markers with names."""
-    names, number = {}, 0
-    with open(path, encoding="utf-8", errors="replace") as lines:
-        for line in lines:
-            tag = re.match(r"\s*MARKER_TAG\s*=\s*(.*?)\s*$", line)
-            if tag:
-                number = int(tag[1]) if re.fullmatch(r"[-+]?\d+", tag[1]) else number + 1
-                if number in names:
-                    raise Fault(f'meshio gives the marker "{tag[1]}" the number of "{names[number]}"; call all by names')
-                names[number] = tag[1]
-    return {name: (number, 2) for number, name in names.items() if not name.isdigit()}
+def plain_su2(path, folder):
+    """With markers numbered from 1, and without blanks before "=", with which meshio passes over a line. Also the name of each number."""
+    numbers, lines = {}, []
+    with open(path, encoding="utf-8", errors="replace") as file:
+        for line in file.read().splitlines():
+            key, equals, value = (part.strip() for part in line.split("%")[0].partition("="))
+            if key == "MARKER_TAG":
+                name = f"surface-{value}" if value.isdigit() else value
+                value = numbers.setdefault(name, len(numbers) + 1)
+            lines.append(f"{key}{equals}{value}")
+    return written(folder, "plain.su2", lines), {(number, 2): name for name, number in numbers.items()}
+
+
+def names_of_netgen(path):
+    """The names of numbers by dimension, of which several may be the same."""
+    with open(path, encoding="utf-8", errors="replace") as file:
+        lines = file.read().splitlines()
+    names = {}
+    for at, line in enumerate(lines):
+        if line.strip() in NETGEN_NAMES:
+            for entry in lines[at + 2 : at + 2 + int(lines[at + 1])]:
+                number, *name = entry.split(None, 1)
+                if name:
+                    names[int(number), NETGEN_NAMES[line.strip()]] = name[0].strip()
+    return names
+
+
+def check_xdmf(path):
+    """What meshio passes over."""
+    from xml.etree import ElementTree
+
+    right = {"Endian": ("Little", "Native"), "BaseOffset": ("0",), "Seek": ("0",), "Order": (), "ItemType": ("Uniform",)}
+    for element in ElementTree.parse(path).iter():
+        for key, values in right.items():
+            tag = str(element.tag)
+            if key == "ItemType" and tag != "DataItem":
+                continue
+            if element.get(key, values[0] if values else None) not in (*values, None):
+                raise Fault(f'{tag} has {key}="{element.get(key)}", which is not read')
 
 
 def written(folder, name, lines):
@@ -297,25 +414,30 @@ def read_file(path, kind, folder):
         kind = hdf5_kind(path)
     if kind == "exodus":
         return read_exodus(path)
-    of_meshio = path
     if kind == "nastran":
-        of_meshio = plain_nastran(path, folder)
-    if kind == "medit" and not path.endswith("b"):  # which tells meshio that it is binary
-        of_meshio = plain_medit(path, folder)
-    mesh = meshio.read(of_meshio, file_format=kind)
+        return read_nastran(path)
+    of_meshio, names = path, {}
+    if kind == "medit":
+        with open(path, "rb") as file:
+            binary = file.read(4) in (b"\1\0\0\0", b"\0\0\0\1")
+        if binary:  # which the name tells meshio
+            of_meshio = os.path.join(folder, "mesh.meshb")
+            os.symlink(path, of_meshio)
+        else:
+            of_meshio = plain_medit(path, folder)
     if kind == "su2":
-        mesh.field_data = names_of_su2(path)
-    if kind == "nastran" and np.any(mesh.point_data.pop("nastran:ref", 0)):
-        raise Fault("GRID cards are in a coordinate system of their own; only the basic one is read")
+        of_meshio, names = plain_su2(path, folder)
+    if kind == "netgen":
+        names = names_of_netgen(path)
+    if kind == "xdmf":
+        check_xdmf(path)
+    mesh = meshio.read(of_meshio, file_format=kind)
     points = three_axes(mesh.points)
     cells = [(block.type, np.asarray(block.data, dtype=np.int64)) for block in mesh.cells]
     groups = Groups(points, cells)
-    groups_of_meshio(mesh, cells, groups)
-    # XDMF and dolfin count from 0, others from 1.
-    begin = 0 if kind in ("xdmf", "dolfin-xml") else 1
-    node_ids = getattr(mesh, "points_id", np.arange(begin, begin + len(points)))
-    element_ids = getattr(mesh, "cells_id", None)  # Nastran's, by block
-    return points, cells, groups, node_ids, np.concatenate(element_ids) if element_ids else None
+    groups_of_meshio(mesh, cells, groups, names)
+    begin = 0 if kind == "xdmf" else 1  # from where they count
+    return points, cells, groups, np.arange(begin, begin + len(points)), None
 
 
 def convert(path, kind, folder):
@@ -332,8 +454,9 @@ def convert(path, kind, folder):
     for name, data in cells:
         if data.size and (data.min() < 0 or data.max() >= len(points)):
             raise Fault(f"has a {name} with node {data.max() + 1}; there are {len(points)} nodes")
-    point_data = {f"set:{name}": flags for name, flags in groups.of_nodes.items()}
-    cell_data = {f"set:{name}": flags for name, flags in groups.of_cells.items()}
+    # meshio writes names into the XML as they are.
+    point_data = {f"set:{escape(name, QUOTE)}": flags for name, flags in groups.of_nodes.items()}
+    cell_data = {f"set:{escape(name, QUOTE)}": flags for name, flags in groups.of_cells.items()}
     if node_ids is not None:
         point_data["originalNodeId"] = np.asarray(node_ids, dtype=np.int64)
     cell_data["originalElementId"] = np.split(
@@ -351,6 +474,19 @@ def say(folder, lines):
 
 
 source, kind_of_source, target = sys.argv[1:]
+
+
+def leave(*_):
+    """Ends with the program that called, and leaves nothing behind."""
+    shutil.rmtree(target, ignore_errors=True)
+    os._exit(130)
+
+
+for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
+    signal.signal(number, leave)
+PARENT_DEATH = 1  # PR_SET_PDEATHSIG
+ctypes.CDLL(None).prctl(PARENT_DEATH, signal.SIGTERM)
+signal.alarm(MOST_SECONDS)  # which ends the program
 notes = []
 status = 0
 heard = io.StringIO()  # what meshio says
@@ -362,7 +498,7 @@ try:
     with contextlib.redirect_stdout(heard), contextlib.redirect_stderr(heard):
         convert(source, kind_of_source, target)
     warned = heard.getvalue().replace("\n", " ").split("Warning:")
-    say(target, [*notes, *(f"meshio says: {text}" for text in dict.fromkeys(warned) if text.strip() and NAMED not in text)])
+    say(target, [*notes, *(f"meshio says: {text}" for text in dict.fromkeys(warned) if text.strip())])
 except ModuleNotFoundError as fault:
     say(target, [str(fault.name)])
     status = 3
@@ -370,10 +506,12 @@ except Fault as fault:
     say(target, [str(fault)])
     status = 1
 except (Exception, SystemExit) as fault:  # meshio raises what comes, and ends the program where it cannot read
-    said = heard.getvalue() if isinstance(fault, SystemExit) else f"{type(fault).__name__}: {fault}"
+    said = heard.getvalue() if isinstance(fault, SystemExit) else str(fault)
+    said = re.sub(r"Error: Couldn't read file.*", "", said, flags=re.S).strip()
     if isinstance(fault, KeyError):
         said = f"it does not know {fault}"
-    said = re.sub(r"Error: Couldn't read file.*", "", said, flags=re.S).strip() or "it is not as meshio knows the format"
+    elif not said or not isinstance(fault, (SystemExit, OSError, meshio.ReadError)):
+        said = f"it is not as meshio knows the format ({type(fault).__name__}{': ' * bool(said)}{said})"
     say(target, [f"meshio cannot read it: {said}"])
     status = 1
 sys.exit(status)

@@ -58,6 +58,28 @@ bool hasNoInside(const ElementInfo& info, const std::int32_t* nodes) {
   return single.empty();
 }
 
+/// Refuses a distance in which nodes of one sound element lie, so that joining them would change the shape.
+void requireApart(const Mesh& mesh, const std::string& source, const std::vector<std::int32_t>& nodeAt, double join) {
+  for (const MeshBlock& block : mesh.blocks) {
+    const ElementInfo& info = elementInfo(block.type);
+    const JacobianProbe probe(info);
+    for (std::size_t e = 0; e < block.elementCount(); ++e) {
+      const std::int32_t* const nodes = block.element(e);
+      for (int a = 0; a < info.nodes; ++a)
+        for (int b = 0; b < a; ++b) {
+          const double apart = (mesh.X.col(nodes[a]) - mesh.X.col(nodes[b])).norm();
+          if (nodes[a] == nodes[b] || nodeAt[nodes[a]] != nodeAt[nodes[b]] || apart == 0) continue;
+          const JacobianRange range = probe.range(mesh.X, nodes);
+          const double least = detail::leastJacobian(info, mesh.X, nodes);
+          if (range.min > least || range.max < -least)
+            throw InputError(joinText(source, ": --join ", join, " would join nodes ", mesh.nodeId(nodes[b]), " and ",
+                                      mesh.nodeId(nodes[a]), " of element ", block.id(e), ", which lie ", apart,
+                                      " m apart and whose shape is sound; a smaller distance is needed"));
+        }
+    }
+  }
+}
+
 /// The combination of element sets that each element is in: a number for each element, and the names of each number; 0
 /// is none.
 struct SetCombinations {
@@ -96,6 +118,7 @@ RepairedMesh repairMesh(Mesh mesh, const std::string& source, std::optional<doub
   std::vector<std::int32_t> nodeAt(mesh.nodeCount());
   std::iota(nodeAt.begin(), nodeAt.end(), 0);
   if (join) nodeAt = detail::firstNodesAtPlaces(mesh, *join, false);  // nodes of sets alone, too
+  if (join) requireApart(mesh, source, nodeAt, *join);
 
   const auto where = [&](std::size_t) { return source; };
   detail::MeshBuilder builder(source, where, where);
@@ -144,6 +167,13 @@ RepairedMesh repairMesh(Mesh mesh, const std::string& source, std::optional<doub
   for (std::int64_t& id : repaired.mesh.nodeIds) id = mesh.nodeId(static_cast<std::int32_t>(id));
   detail::dropUnusedNodes(repaired.mesh, source, &done);
   repaired.problems = detail::turnAndCheck(repaired.mesh, source, &done);
+  const auto nameEmpty = [&](const auto& before, const auto& after, std::string_view what) {
+    for (const auto& [name, members] : before)
+      if (const auto left = after.find(name); !members.empty() && (left == after.end() || left->second.empty()))
+        done.push_back(joinText(source, ": the ", what, " set \"", name, "\" has no ", what, " left"));
+  };
+  nameEmpty(mesh.elementSets, repaired.mesh.elementSets, "element");
+  nameEmpty(mesh.nodeSets, repaired.mesh.nodeSets, "node");
   return repaired;
 }
 

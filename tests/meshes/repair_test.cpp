@@ -152,11 +152,36 @@ TEST(Repair, NodesInRowsAreTold) {
   }
 }
 
+TEST(Repair, NodesOfASoundElementAreNotJoined) {
+  // A layer of 1e-4 on a bar of 1: a distance above that would take it out.
+  const Mesh mesh = [] {
+    Mesh bar = generateBar({.size = {3, 1, 1}, .cells = {3, 1, 1}, .element = "hex8"});
+    for (Eigen::Index n = 0; n < bar.X.cols(); ++n)
+      if (bar.X(0, n) == 1) bar.X(0, n) = 2 - 1e-4;
+    return bar;
+  }();
+  EXPECT_TRUE(repairMesh(mesh, "m", 0.9e-4).done.empty());
+  EXPECT_THAT(errorOf([&] { repairMesh(mesh, "m", 1.1e-4); }),
+              testing::AllOf(HasSubstr("m: --join 0.00011 would join nodes "), HasSubstr("whose shape is sound")));
+}
+
+TEST(Repair, SetsOfWhichNothingIsLeftAreNamed) {
+  Mesh mesh = mixedMesh();
+  const auto far = static_cast<Eigen::Index>(mesh.nodeCount());
+  mesh.X.conservativeResize(3, far + 1);
+  mesh.X.col(far) << 9, 9, 9;
+  mesh.nodeIds.push_back(9000);
+  mesh.nodeSets["apart"] = {static_cast<std::int32_t>(far)};
+  const std::vector<std::string> done = repairMesh(mesh, "m").done;
+  EXPECT_THAT(done, testing::Contains(HasSubstr("the node set \"apart\" has no node left")));
+}
+
 TEST(Repair, WhatIsLeftIsListed) {
   Mesh mesh = generateBar({.cells = {2, 2, 2}});
   mesh.X.col(13) << 1.7, 1.8, 1.9;  // tetrahedra around the middle lie on each other
   EXPECT_GT(repairMesh(mesh, "m").problems.size(), 3u);
-  EXPECT_THAT(errorOf([&] { repairMesh(mesh, "m", 100); }), HasSubstr("m: no element has an inside"));
+  EXPECT_THAT(errorOf([&] { repairMesh(mesh, "m", 100); }),
+              HasSubstr("whose shape is sound; a smaller distance is needed"));
 }
 
 }  // namespace
