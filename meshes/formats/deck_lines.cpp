@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <limits>
 #include <system_error>
 
@@ -180,7 +181,7 @@ double DeckLines::real(std::string_view word, std::string_view what, std::size_t
     if (c == 'd' || c == 'D') c = 'e';  // Fortran's double precision
   double value = 0;
   const auto [stop, error] = std::from_chars(copy.data(), copy.data() + copy.size(), value);
-  if (error != std::errc() || stop != copy.data() + copy.size())
+  if (error != std::errc() || stop != copy.data() + copy.size() || !std::isfinite(value))
     failAt(position, joinText(what, " is ", detail::quoted(word), "; it must be a number"));
   return value;
 }

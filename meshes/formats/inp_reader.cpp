@@ -176,6 +176,7 @@ class Deck {
     keyword_ = lines_.keyword(first);
     const std::string& name = keyword_.name;
     const auto refuse = [&](const std::string& why) { lines_.failAt(first.position, "*" + name + " " + why); };
+    requireKnownParameters();
     reading_ = Reading::nothing;
     hasData_ = false;
     keepOpen();
@@ -195,6 +196,7 @@ class Deck {
       if (keyword_.value(name).empty()) refuse("needs the name of the set, " + name + "=");
       reading_ = name == "NSET" ? Reading::nodeSet : Reading::elementSet;
       setOf(name == "NSET" ? part().nodeSets : part().elementSets, keyword_.value(name));
+      if (name == "NSET" && keyword_.has("ELSET")) nodesOfElements();
     } else if (name == "PART") {
       const std::string part = inUpperCase(keyword_.value("NAME"));
       if (part.empty()) refuse("needs a name, NAME=");
@@ -221,6 +223,28 @@ class Deck {
       ++skipped_["*" + name];
     }
     if (reading_ != Reading::nothing && keyword_.has("INPUT")) lines_.include(keyword_);
+  }
+
+  /// A parameter of the mesh that is not followed would change it in silence.
+  void requireKnownParameters() const {
+    static const std::map<std::string_view, std::vector<std::string_view>> known = {
+        {"NODE", {"NSET", "SYSTEM", "INPUT"}},
+        {"ELEMENT", {"TYPE", "ELSET", "INPUT"}},
+        {"NSET", {"NSET", "ELSET", "GENERATE", "INSTANCE", "INTERNAL", "UNSORTED", "INPUT"}},
+        {"ELSET", {"ELSET", "GENERATE", "INSTANCE", "INTERNAL", "UNSORTED", "INPUT"}},
+        {"PART", {"NAME"}},
+        {"ASSEMBLY", {"NAME"}},
+        {"INSTANCE", {"NAME", "PART"}},
+        {"SYSTEM", {"INPUT"}}};
+    const auto own = known.find(keyword_.name);
+    if (own == known.end()) return;
+    for (const auto& entry : keyword_.parameters)
+      if (std::find(own->second.begin(), own->second.end(), entry.first) == own->second.end()) {
+        std::string list;
+        for (const std::string_view name : own->second) list += joinText(list.empty() ? "" : ", ", name);
+        lines_.failAt(keyword_.position,
+                      joinText("*", keyword_.name, ", ", entry.first, " is not supported; ", list, " are"));
+      }
   }
 
   /// Solids with letters behind their number are of another quadrature or formulation than the plain ones.
@@ -254,6 +278,8 @@ class Deck {
     const std::string name = keyword_.value("NAME");
     if (name.empty()) refuse("needs a name, NAME=");
     if (instances_.count(inUpperCase(name)) != 0) refuse("has the name of an instance above, " + detail::quoted(name));
+    if (order_.empty() && !model_.nodes.empty())
+      refuse("stands below a *NODE of the model, whose numbers it may have too; write that *NODE below the instances");
     placed_ = {};
     if (const std::string part = keyword_.value("PART"); !part.empty()) {
       const auto found = parts_.find(inUpperCase(part));
@@ -567,18 +593,45 @@ class Deck {
       lines_.failAt(keyword_.position, joinText("the file ends after the line of *", name, "; is it cut short?"));
   }
 
+  /// What is added to the numbers and put before the names in a set that INSTANCE= gives to one.
+  std::pair<std::int64_t, std::string> instanceOf(const Set& set) const {
+    const std::string name = keyword_.value("INSTANCE");
+    if (name.empty()) return {0, ""};
+    const auto instance = instances_.find(inUpperCase(name));
+    if (instance == instances_.end())
+      lines_.failAt(keyword_.position, joinText("set ", set.name, " is of the instance ", detail::quoted(name),
+                                                ", which is not defined above"));
+    return {instance->second.offset, instance->first + "."};
+  }
+
+  /// *NSET, ELSET=: the nodes of the elements of a set.
+  void nodesOfElements() {
+    Set& set = setOf(part().nodeSets, keyword_.value("NSET"));
+    const std::string name = keyword_.value("ELSET");
+    const auto from = part().elementSets.find(instanceOf(set).second + inUpperCase(name));
+    if (from == part().elementSets.end())
+      lines_.failAt(keyword_.position, joinText("set ", set.name, " is of the nodes of the element set ",
+                                                detail::quoted(name), ", which is not defined above"));
+    for (const Range& range : from->second.ranges)
+      for (std::int64_t i = 0; i <= (range.last - range.first) / range.step; ++i) {
+        const std::int64_t id = range.first + i * range.step;
+        const auto element = part().elementOfId.find(id);
+        if (element == part().elementOfId.end())
+          lines_.failAt(keyword_.position, joinText("set ", set.name, " is of the nodes of element ", id, " of ", name,
+                                                    ", which is not defined above, or has no shape"));
+        const std::vector<std::int64_t>& nodes = part().elements[element->second].nodes;
+        spend(nodes.size(), set.name, keyword_.position);
+        for (const std::int64_t node : nodes) set.add(node);
+      }
+    set.removeRepeated();
+  }
+
   void members(const DeckLine& line, Sets& sets, std::string_view what) {
     Set& set = setOf(sets, keyword_.value(keyword_.name));
-    std::int64_t offset = 0;
-    std::string prefix;
-    if (const std::string name = keyword_.value("INSTANCE"); !name.empty()) {
-      const auto instance = instances_.find(inUpperCase(name));
-      if (instance == instances_.end())
-        lines_.failAt(keyword_.position, joinText("set ", set.name, " is of the instance ", detail::quoted(name),
-                                                  ", which is not defined above"));
-      offset = instance->second.offset;
-      prefix = instance->first + ".";
-    }
+    if (keyword_.name == "NSET" && keyword_.has("ELSET"))
+      lines_.failAt(line.position, joinText("set ", set.name, " is of the nodes of ", keyword_.value("ELSET"),
+                                            ", and has no lines of its own"));
+    const auto [offset, prefix] = instanceOf(set);
     const auto words = DeckLines::fields(line.text);
     if (keyword_.has("GENERATE")) {
       if (words.size() < 2 || words.size() > 3)

@@ -191,7 +191,7 @@ TEST_F(InpTest, RefusesWhatIsCutShort) {
   const std::string whole = deck();
   expectError(whole + "*NODE\n1", "30", "a node has 1 entries");
   expectError(whole + "*NSET, NSET=a\n", "29", "the file ends after the line of *NSET");
-  expectError(whole + "*ELSET, ELSET=a, GEN", "29", "the file ends after the line of *ELSET");
+  expectError(whole + "*ELSET, ELSET=a, GEN", "29", "*ELSET, GEN is not supported");
   expectError(whole + "*ELEMENT, TYPE=C3D", "29", "the file ends after the line of *ELEMENT");
   expectError(whole + "*STEP\n*STATIC\n", "29", "*STEP is never ended by *END STEP");
   expectError("*PART, NAME=p\n" + whole, "1", "*PART is never ended by *END PART");
@@ -443,6 +443,31 @@ body
   expectError("*INSTANCE, NAME=i, PART=corner\n*END INSTANCE\n*NSET, NSET=s, INSTANCE=j\n1\n",
               "is of the instance \"j\", which is not defined above");
   expectError("", "no *INSTANCE of one");
+  // The numbers of the only instance are those of its part.
+  expectError("*NODE\n7, 1., 1., 1.\n*INSTANCE, NAME=i, PART=corner\n*END INSTANCE\n", "write that *NODE below");
+}
+
+TEST_F(InpFilesTest, TakesTheNodesOfElementsAsASet) {
+  const std::string body = joinText("*PART, NAME=p\n", tetrahedron,
+                                    "5, 0., 0., -1.\n*ELEMENT, TYPE=C3D4, ELSET=body\n1, 1, 2, 3, 4\n2, 1, 3, 2, 5\n"
+                                    "*ELSET, ELSET=lower\n2\n*ELSET, ELSET=more\n2, 3\n");
+  const std::string placed = "*END PART\n*ASSEMBLY, NAME=a\n*INSTANCE, NAME=i, PART=p\n*END INSTANCE\n";
+  write("deck.inp", body + "*NSET, NSET=low, ELSET=Lower\n" + placed + "*NSET, NSET=its, ELSET=lower, INSTANCE=i\n" +
+                        "*NSET, NSET=its\n4\n*END ASSEMBLY\n");
+  const Mesh mesh = read();
+  EXPECT_THAT(mesh.nodeSets.at("low"), ElementsAre(0, 1, 2, 4));
+  EXPECT_THAT(mesh.nodeSets.at("its"), ElementsAre(0, 1, 2, 3, 4));
+  const auto expectError = [&](const std::string& rest, const std::string& what) {
+    write("bad.inp", body + rest + placed + "*END ASSEMBLY\n");
+    EXPECT_THAT(error("bad.inp"), HasSubstr(what));
+  };
+  expectError("*NSET, NSET=n, ELSET=upper\n", "the element set \"upper\", which is not defined above");
+  expectError("*NSET, NSET=n, ELSET=lower\n3\n", "has no lines of its own");
+  expectError("*NSET, NSET=n, ELSET=more\n", "of element 3 of more, which is not defined above");
+  // What would change the mesh.
+  expectError("*NODE, SCALE=2\n6, 1., 1., 1.\n", "*NODE, SCALE is not supported; NSET, SYSTEM, INPUT are");
+  expectError("*ELEMENT, TYPE=C3D4, OFFSET=10\n3, 1, 2, 3, 4\n", "*ELEMENT, OFFSET is not supported");
+  expectError("*NSET, NSET=n, EXCLUDE\n3\n", "*NSET, EXCLUDE is not supported");
 }
 
 TEST_F(InpTest, KeepsRangesOfSets) {
