@@ -47,6 +47,7 @@ struct DeckLoad {
   std::string selection;
   Eigen::Vector3d value;  // N at each node, m/s² with `acceleration`
   bool acceleration = false;
+  std::string elements = {};  // the set that an acceleration names
   std::string amplitude = {};
   std::size_t position = 0;
 };
@@ -61,6 +62,7 @@ struct DeckPressure {
 struct DeckSurfaceLine {
   std::string elements;  // a set or a number; of nodes in a *SURFACE of those
   int face;              // 0 for all that lie outside
+  std::size_t position;
 };
 struct DeckContact {
   std::string nodes, faces;  // of *SURFACE; "" for all
@@ -92,8 +94,8 @@ struct DeckMaterial {
   const DeckRubber* form = nullptr;                  // of *HYPERELASTIC
   Json rubber;                                       // its law and constants, null without
   std::optional<double> density;
-  std::optional<std::pair<double, double>> damping;  // of mass (1/s) and stiffness (s)
-  std::size_t dampingAt = 0;                         // position of the keyword
+  std::optional<std::pair<double, double>> damping;                       // of mass (1/s) and stiffness (s)
+  std::optional<std::size_t> lawAt = {}, densityAt = {}, dampingAt = {};  // positions of the keywords
 };
 /// An element of one or two nodes, whose numbers stand below another keyword.
 struct DeckLinkType {
@@ -107,6 +109,7 @@ constexpr DeckLinkType linkTypes[] = {{"MASS", "MASS", 1},
                                       {"DASHPOTA", "DASHPOT", 2}};
 struct DeckLink {
   const DeckLinkType* type;
+  std::string part;
   std::vector<std::string> nodes;
   std::size_t position;
 };
@@ -122,7 +125,7 @@ struct DeckStructure {
   std::size_t position, count = 0;
 };
 struct DeckSection {
-  std::string elset, part, material;
+  std::string elset, part, instance, material;  // instance: the one that it stands in
   std::size_t position;
 };
 /// *FIXED MASS SCALING by a factor.
@@ -169,6 +172,7 @@ class DeckReader {
     writeContacts();
     writeLoads();
     writePressures();
+    checkMassScaling();
     for (const auto& [name, surface] : surfaces_)
       if (!surface.used) leaveOut(surface.keyword);
     if (!left_.empty())
@@ -178,6 +182,11 @@ class DeckReader {
   }
 
  private:
+  struct Surface {
+    DeckKeyword keyword;
+    std::vector<DeckSurfaceLine> lines;
+    bool ofNodes = false, used = false;
+  };
   enum class Reading {
     nothing,
     elastic,
@@ -229,6 +238,7 @@ class DeckReader {
     dataLines_ = 0;
     const std::string name = withoutBlanks(keyword_.name);
     std::map<std::string, std::string> parameters;
+    for (const auto& [key, value] : keyword_.parameters) requireUtf8(key + value, keyword_.position);
     for (auto& [key, value] : keyword_.parameters) parameters[withoutBlanks(key)] = std::move(value);
     keyword_.parameters = std::move(parameters);
     const DeckKeywordRule* rule = findKeywordRule(name);
@@ -239,6 +249,15 @@ class DeckReader {
     if (!follow(rule->rule, "*" + keyword_.name, rule->why) || !takesParameters(name, rule->rule)) return;
     if (rule->rule == DeckRule::mesh) meshKeyword(name);
     if (rule->rule == DeckRule::taken || (rule->rule == DeckRule::takenInRun && forRun())) take(name);
+  }
+  /// Names go into files of JSON.
+  void requireUtf8(std::string_view text, std::size_t position) const {
+    if (std::ranges::all_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x80; })) return;
+    try {
+      (void)Json(text).dump();
+    } catch (const Json::type_error&) {
+      lines_.failAt(position, "the line is not UTF-8; save the deck as UTF-8");
+    }
   }
   /// Does what the table says of a keyword or parameter. False where it is refused.
   bool follow(DeckRule rule, const std::string& what, std::string_view why) {
@@ -314,11 +333,20 @@ class DeckReader {
     if (name == "PART") part_ = inUpperCase(keyword_.value("NAME"));
     if (name == "ENDPART") part_.clear();
     if (name == "INSTANCE") {
+      instance_ = keyword_.value("NAME");
       part_ = inUpperCase(keyword_.value("PART"));
-      instances_.emplace_back(keyword_.value("NAME"), part_);
+      if (part_.empty()) part_ = "." + inUpperCase(instance_);  // one of its own
+      instances_.emplace_back(instance_, part_);
     }
-    if (name == "ENDINSTANCE") part_.clear();
+    if (name == "ENDINSTANCE") {
+      part_.clear();
+      instance_.clear();
+    }
     if (name == "ELEMENT") elementType(inUpperCase(keyword_.value("TYPE")));
+  }
+  /// What stands in a part without an instance is not in the model.
+  bool isInstanced(const std::string& part) const {
+    return part.empty() || std::ranges::any_of(instances_, [&](const auto& one) { return one.second == part; });
   }
   /// The name of a set of the part that is being read.
   std::string partKey(const std::string& set) const {
@@ -386,29 +414,41 @@ class DeckReader {
     DeckMaterial* material = materials_.empty() ? nullptr : &materials_.back();
     const bool ofMaterial = name == "ELASTIC" || name == "HYPERELASTIC" || name == "DENSITY" || name == "DAMPING";
     if (ofMaterial && material == nullptr) return refuseHere(" stands before any *MATERIAL");
+    if (!inStep_ && (name == "DYNAMIC" || name == "CLOAD" || name == "DLOAD" || name == "DSLOAD"))
+      return refuseHere(" stands outside a step; it belongs between *STEP and *END STEP");
+    if (!part_.empty() && (name == "BOUNDARY" || name == "INITIALCONDITIONS"))
+      return refuseHere(" stands in a *PART or *INSTANCE; write it behind the assembly, for the set INSTANCE.SET");
     if (name == "MATERIAL") {
       if (keyword_.value("NAME").empty()) return refuseHere(" needs a name, NAME=");
+      for (const DeckMaterial& one : materials_)
+        if (inUpperCase(one.name) == inUpperCase(keyword_.value("NAME"))) refuseSecond(one.position);
       materials_.emplace_back();
       materials_.back().name = keyword_.value("NAME");
       materials_.back().position = keyword_.position;
     } else if (name == "ELASTIC") {
+      if (!firstOf(material->lawAt)) return;
       reading_ = Reading::elastic;
     } else if (name == "HYPERELASTIC") {
+      if (!firstOf(material->lawAt)) return;
+      if (std::ranges::count_if(rubbers, [&](const DeckRubber& r) { return keyword_.has(std::string(r.parameter)); }) >
+          1)
+        return refuseHere(" names two energies; one is of a material");
       const auto* form =
           std::ranges::find_if(rubbers, [&](const DeckRubber& r) { return keyword_.has(std::string(r.parameter)); });
       if (form == std::end(rubbers)) return refuseHere(": NEO HOOKE, MOONEY-RIVLIN and YEOH with their D1 are taken");
       material->form = form;
       reading_ = Reading::hyperelastic;
     } else if (name == "DENSITY") {
+      if (!firstOf(material->densityAt)) return;
       reading_ = Reading::density;
     } else if (name == "DAMPING") {
+      if (!firstOf(material->dampingAt)) return;
       const auto share = [&](const char* key) {
         return keyword_.has(key) ? lines_.real(keyword_.value(key), key, keyword_.position) : 0.0;
       };
       material->damping = {share("ALPHA"), share("BETA")};
-      material->dampingAt = keyword_.position;
     } else if (name == "BULKVISCOSITY") {
-      if (!ofFirstStep()) return;
+      if (!ofFirstStep() || !firstOf(viscosityAt_)) return;
       scene_.sections["damping"]["bulk_viscosity"] = true;  // without numbers with those of Abaqus, which are ours
       scene_.origins["damping"] = lines_.where(keyword_.position);
       reading_ = Reading::bulkViscosity;
@@ -419,7 +459,8 @@ class DeckReader {
     } else if (name == "SOLIDSECTION") {
       if (keyword_.value("ELSET").empty() || keyword_.value("MATERIAL").empty())
         return refuseHere(" needs ELSET= and MATERIAL=");
-      sections_.push_back({keyword_.value("ELSET"), part_, inUpperCase(keyword_.value("MATERIAL")), keyword_.position});
+      sections_.push_back(
+          {keyword_.value("ELSET"), part_, instance_, inUpperCase(keyword_.value("MATERIAL")), keyword_.position});
     } else if (name == "MASS" || name == "SPRING" || name == "DASHPOT") {
       if (keyword_.value("ELSET").empty()) return refuseHere(" needs ELSET=");
       properties_.push_back({name, keyword_.value("ELSET"), part_, keyword_.position});
@@ -431,7 +472,9 @@ class DeckReader {
       reading_ = Reading::boundary;
     } else if (name == "AMPLITUDE") {
       if (keyword_.value("NAME").empty()) return refuseHere(" needs a name, NAME=");
-      amplitude_ = &amplitudes_[inUpperCase(keyword_.value("NAME"))];
+      const auto [entry, isNew] = amplitudes_.try_emplace(inUpperCase(keyword_.value("NAME")));
+      if (!isNew) return refuseSecond(entry->second.position);
+      amplitude_ = &entry->second;
       *amplitude_ = {
           {},
           {},
@@ -449,6 +492,9 @@ class DeckReader {
       if (steps_ == 1) {
         step_ = keyword_;
         nonlinear_ = isOn(keyword_, "NLGEOM");
+        const std::string word = inUpperCase(keyword_.value("NLGEOM"));
+        if (!word.empty() && word != "YES" && word != "NO")
+          refuseHere(fmt::format(", NLGEOM={}: YES and NO are taken", shortened(word)));
       } else if (forRun()) {
         refuseHere(": a second step; a run has one");
       } else if (steps_ == 2) {
@@ -467,7 +513,9 @@ class DeckReader {
     } else if (name == "SURFACE") {
       const std::string type = inUpperCase(keyword_.value("TYPE"));
       if (!type.empty() && type != "ELEMENT" && type != "NODE") return leaveOut(keyword_);
-      surface_ = &surfaces_[inUpperCase(keyword_.value("NAME"))];
+      const auto [entry, isNew] = surfaces_.try_emplace(partKey(keyword_.value("NAME")));
+      if (!isNew) return refuseSecond(entry->second.keyword.position);
+      surface_ = &entry->second;
       *surface_ = {keyword_, {}, type == "NODE"};
       reading_ = Reading::surface;
     } else if (name == "CONTACTINCLUSIONS") {
@@ -491,16 +539,24 @@ class DeckReader {
       reading_ = name == "CLOAD" ? Reading::cload : name == "DLOAD" ? Reading::dload : Reading::dsload;
     }
   }
+  void refuseSecond(std::size_t first) {
+    const std::string name = keyword_.value("NAME");
+    refuse(keyword_.position, fmt::format("*{}{} gives a second time what {} gives; leave one out", keyword_.name,
+                                          name.empty() ? "" : " " + inQuotes(name), placeOf(first)));
+  }
+  /// Notes where a keyword stands that may be given once; false, with a refusal, for another one.
+  bool firstOf(std::optional<std::size_t>& position) {
+    if (position) refuseSecond(*position);
+    const bool isFirst = !position;
+    if (isFirst) position = keyword_.position;
+    return isFirst;
+  }
   void scaleMass() {
     const auto number = [&](const char* key) { return lines_.real(keyword_.value(key), key, keyword_.position); };
     if (keyword_.has("FACTOR")) scalings_.push_back({keyword_.value("ELSET"), number("FACTOR"), keyword_.position});
     if (!keyword_.has("DT")) return;
     if (keyword_.has("ELSET"))
       return refuse(keyword_.position, fmt::format("*{}, DT and ELSET: {}", keyword_.name, massOfAll));
-    if (dynamic_ && fixesStep())
-      return refuse(keyword_.position, fmt::format("*{}, DT: the step is fixed; handler.method = \"mass-scaling\" of "
-                                                   "a scene adds the mass that it needs",
-                                                   keyword_.name));
     if (!forRun())
       return note(fmt::format("{}: *{}, DT: this is the body without the mass that a run adds",
                               lines_.where(keyword_.position), keyword_.name));
@@ -511,12 +567,39 @@ class DeckReader {
                     "element's own step asks for",
                     lines_.where(keyword_.position), keyword_.name));
   }
+  /// Says in the words of the deck what does not go with the handler that DT stands for.
+  void checkMassScaling() {
+    if (!scene_.sections.contains("handler")) return;
+    const auto refuseWith = [&](const std::string& what, const std::string& where) {
+      throw InputError(fmt::format("{}: mass scaling by DT does not go with {} ({}); leave one of them out",
+                                   scene_.origins["handler"], what, where));
+    };
+    if (fixesStep()) refuseWith("a fixed step", lines_.where(dynamic_->position));
+    if (viscosityAt_) refuseWith("*BULK VISCOSITY", lines_.where(*viscosityAt_));
+    struct Other {
+      const char *section, *key, *what;  // key: only with it; nullptr: always
+    };
+    for (const auto& [section, key, what] : {Other{"spring", nullptr, "springs and dashpots"},
+                                             {"contact", nullptr, "contact"},
+                                             {"pressure", nullptr, "pressures"},
+                                             {"force", "times", "amplitudes"},
+                                             {"move", "times", "amplitudes"},
+                                             {"material", "mass_damping", "*DAMPING of a material by itself"}}) {
+      if (!scene_.sections.contains(section)) continue;
+      const Json& own = scene_.sections[section];
+      const Json list = own.is_array() ? own : Json::array({own});
+      for (std::size_t i = 0; i < list.size(); ++i)
+        if (key == nullptr || list[i].contains(key))
+          refuseWith(what, scene_.origins[own.is_array() ? fmt::format("{}.{}", section, i) : section]);
+    }
+  }
   /// Before all steps, or in the first.
   bool ofFirstStep() const { return steps_ < 2; }
 
   void data(const DeckLine& line) {
     const auto words = DeckLines::fields(line.text);
     ++dataLines_;
+    if (reading_ != Reading::nothing) requireUtf8(line.text, line.position);
     switch (reading_) {
       case Reading::nothing:
         return;
@@ -531,6 +614,10 @@ class DeckReader {
       case Reading::boundary:
         return boundary(words, line.position);
       case Reading::amplitude:
+        if (words.size() % 2 != 0)
+          return refuse(line.position, fmt::format("*AMPLITUDE: a line has {} numbers, a time without its value; it "
+                                                   "must have pairs",
+                                                   words.size()));
         for (std::size_t i = 0; i + 1 < words.size(); i += 2) {
           amplitude_->times.push_back(lines_.real(words[i], "a time of the amplitude", line.position));
           amplitude_->values.push_back(lines_.real(words[i + 1], "a value of the amplitude", line.position));
@@ -559,7 +646,7 @@ class DeckReader {
                         fmt::format("{} has {} entries; it must have a number and {} node{}", linkType_->type,
                                     words.size(), linkType_->nodes, linkType_->nodes == 1 ? "" : "s"));
         links_[partKey(keyword_.value("ELSET"))].push_back(
-            {linkType_, {words.begin() + 1, words.end()}, line.position});
+            {linkType_, part_, {words.begin() + 1, words.end()}, line.position});
         return;
       case Reading::property:
         for (const std::string_view word : words)
@@ -571,9 +658,9 @@ class DeckReader {
         return sectionControls(words, line.position);
       case Reading::surface:
         if (surface_->ofNodes || words.size() < 2 || words[1].empty())
-          surface_->lines.push_back({std::string(words[0]), 0});
+          surface_->lines.push_back({std::string(words[0]), 0, line.position});
         else if (const auto face = faceOf(words[1], 'S'))
-          surface_->lines.push_back({std::string(words[0]), *face});
+          surface_->lines.push_back({std::string(words[0]), *face, line.position});
         else
           refuse(line.position, fmt::format("*SURFACE: {} is no face of a solid; S1 to S6 are", inQuotes(words[1])));
         return;
@@ -619,6 +706,7 @@ class DeckReader {
                                  lines_.real(words[1], "Poisson's ratio", position)};
   }
   void bulkViscosity(const std::vector<std::string_view>& words, std::size_t position) {
+    if (dataLines_ > 1) return refuse(position, "*BULK VISCOSITY has a second line; it has one");
     Json& damping = scene_.sections["damping"];
     static constexpr std::string_view keys[] = {"linear_bulk_viscosity", "quadratic_bulk_viscosity"};
     for (std::size_t i = 0; i < std::min(words.size(), std::size(keys)); ++i)
@@ -661,27 +749,33 @@ class DeckReader {
   /// A set by its name as the mesh has it, or "#12" for a node.
   std::string selectionOf(std::string_view word, std::size_t position) {
     if (const auto known = nodeSets_.find(inUpperCase(word)); known != nodeSets_.end()) return known->second;
-    if (isNumber(word)) return "#" + std::string(word);
-    const auto& [set, number] = inInstance(word, position);
-    if (number) return "#" + set;
-    const auto known = setNamed(mesh().nodeSets, set);
-    return known == mesh().nodeSets.end() ? std::string(word) : known->first;
+    const std::string name = nameIn(&Mesh::nodeSets, word, position);
+    return isNumber(name) ? fmt::format("#{}", lines_.number(name, "the number of a node", position)) : name;
+  }
+  /// The name that a set of the mesh has, or a number, in a deck of one instance without its prefix.
+  template <class Sets>
+  std::string nameIn(Sets Mesh::*sets, std::string_view word, std::size_t position) {
+    const auto known = [&](std::string_view name) {
+      if (isNumber(name)) return std::string();
+      const auto set = setNamed(mesh().*sets, name);
+      return set == (mesh().*sets).end() ? std::string() : set->first;
+    };
+    if (const std::string own = known(word); !own.empty()) return own;
+    const std::string inner = inInstance(word, position), own = known(inner);
+    return own.empty() ? inner : own;
   }
   static bool isNumber(std::string_view word) {
     return !word.empty() && std::isdigit(static_cast<unsigned char>(word.front()));
   }
   /// What is left of "INSTANCE.SET" or "INSTANCE.12" in a deck of one instance, whose sets and numbers are those of its
-  /// part; of others the word. Whether it is such a number.
-  std::pair<std::string, bool> inInstance(std::string_view word, std::size_t position) const {
-    for (const auto& entry : instances_) {
-      const std::string prefix = entry.first + ".";
-      if (!inUpperCase(word).starts_with(inUpperCase(prefix))) continue;
-      const std::string_view rest = word.substr(prefix.size());
-      if (isNumber(rest) && instances_.size() > 1)
-        lines_.failAt(position, fmt::format("{}: a number in one of several instances; give a set", inQuotes(word)));
-      if (instances_.size() == 1) return {std::string(rest), isNumber(rest)};
-    }
-    return {std::string(word), false};
+  /// part; else the word. Several instances have the same numbers.
+  std::string inInstance(std::string_view word, std::size_t position) const {
+    std::string_view rest = word;
+    for (const auto& entry : instances_)
+      if (inUpperCase(word).starts_with(inUpperCase(entry.first) + ".")) rest = word.substr(entry.first.size() + 1);
+    if (isNumber(rest) && instances_.size() > 1)
+      lines_.failAt(position, fmt::format("{}: a number in a deck of several instances; give a set", inQuotes(word)));
+    return std::string(instances_.size() == 1 ? rest : word);
   }
   /// Sets are named in any case.
   template <class Sets>
@@ -726,6 +820,8 @@ class DeckReader {
     for (std::int64_t dof = first; dof <= std::min<std::int64_t>(last, 3); ++dof)
       held.components += static_cast<char>('x' + (dof - 1));
     if (words.size() > 3 && !words[3].empty()) held.value = lines_.real(words[3], "the value", position);
+    if (held.value != 0 && !inStep_)
+      return refuse(position, "*BOUNDARY before the step holds nodes where they are; a value belongs in the step");
     held.velocity = inUpperCase(keyword_.value("TYPE")) == "VELOCITY";
     held.amplitude = inUpperCase(keyword_.value("AMPLITUDE"));
     if (!held.components.empty()) boundaries_.push_back(held);
@@ -754,7 +850,7 @@ class DeckReader {
     const std::string label = words.size() > 1 ? inUpperCase(words[1]) : "";
     if (const std::optional<int> face = faceOf(label, 'P')) {
       if (words.size() < 3) lines_.failAt(position, "*DLOAD needs an element or set, a face, P1 to P6, and a pressure");
-      return press(std::string(words[0]), *face, words[2], position);
+      return press(facesOf(std::string(words[0]), *face, position), words[2], position);
     }
     static constexpr std::pair<std::string_view, std::string_view> others[] = {
         {"CENTRIF", "its force grows with the distance of a node from the axis, which no load here does"},
@@ -770,13 +866,13 @@ class DeckReader {
     const Eigen::Vector3d direction(lines_.real(words[3], "the direction", position),
                                     lines_.real(words[4], "the direction", position),
                                     lines_.real(words[5], "the direction", position));
-    if (!words[0].empty() && elementsOf(std::string(words[0]), position).size() != mesh().elementCount())
+    if (!words[0].empty() && elementsOf(words[0], position).size() != mesh().elementCount())
       return refuse(position, fmt::format("*DLOAD, GRAV on {}: it is taken for all elements together only, since nodes "
                                           "are shared with the others",
                                           inQuotes(words[0])));
     if (direction.isZero(0)) lines_.failAt(position, "GRAV: the direction is zero");
     loads_.push_back({"", lines_.real(words[2], "the acceleration", position) * direction.normalized(), true,
-                      inUpperCase(keyword_.value("AMPLITUDE")), position});
+                      std::string(words[0]), inUpperCase(keyword_.value("AMPLITUDE")), position});
   }
   const Mesh& mesh() {
     if (!mesh_) mesh_ = readMesh(file_);
@@ -800,19 +896,16 @@ class DeckReader {
     return word[1] - '0';
   }
   /// The elements of a set, or the one with that number.
-  std::vector<ElementRef> elementsOf(const std::string& word, std::size_t position) {
-    const std::string given = inInstance(word, position).first;
+  std::vector<ElementRef> elementsOf(std::string_view word, std::size_t position) {
+    const std::string given = nameIn(&Mesh::elementSets, word, position);
     if (isNumber(given)) {
       const std::int64_t number = lines_.number(given, "the element", position);
-      if (instances_.size() > 1)
-        lines_.failAt(position, fmt::format("*{}: element {} of a deck of instances; give an element set",
-                                            keyword_.name, number));
       for (std::size_t b = 0; b < mesh().blocks.size(); ++b)
         for (std::size_t e = 0; e < mesh().blocks[b].elementCount(); ++e)
           if (mesh().blocks[b].id(e) == number) return {{static_cast<std::int32_t>(b), static_cast<std::int32_t>(e)}};
       lines_.failAt(position, fmt::format("*{}: the mesh has no element {}", keyword_.name, number));
     }
-    if (const auto set = setNamed(mesh().elementSets, given); set != mesh().elementSets.end()) return set->second;
+    if (const auto set = mesh().elementSets.find(given); set != mesh().elementSets.end()) return set->second;
     lines_.failAt(position, fmt::format("*{}: there is no element set {}", keyword_.name, inQuotes(word)));
   }
   const DeckFaces& faces() {
@@ -845,8 +938,7 @@ class DeckReader {
     }
     return result;
   }
-  /// A pressure on a face of elements.
-  void press(const std::string& elements, int face, std::string_view value, std::size_t position) {
+  void press(const std::vector<std::int32_t>& faces, std::string_view value, std::size_t position) {
     const double pressure = lines_.real(value, "the pressure", position);
     const auto begin = [&] {
       pressures_.push_back({pressure, inUpperCase(keyword_.value("AMPLITUDE")), keyword_.position});
@@ -854,7 +946,7 @@ class DeckReader {
     };
     if (pressures_.empty() || pressures_.back().position != keyword_.position || pressures_.back().value != pressure)
       begin();
-    for (const std::int32_t one : facesOf(elements, face, position)) {
+    for (const std::int32_t one : faces) {
       if (!pressed_.insert(one).second) {  // pressures on a face add up
         begin();
         pressed_.insert(one);
@@ -865,11 +957,35 @@ class DeckReader {
   void dsload(const std::vector<std::string_view>& words, std::size_t position) {
     if (words.size() < 3 || inUpperCase(words[1]) != "P")
       return refuse(position, "*DSLOAD: a line must be a surface, P, and a pressure; no other load is taken");
-    const auto surface = surfaces_.find(inUpperCase(words[0]));
-    if (surface == surfaces_.end() || surface->second.ofNodes)
+    const auto& [surface, prefix] = surfaceNamed(words[0]);
+    if (surface == nullptr || surface->ofNodes)
       return refuse(position, fmt::format("*DSLOAD: there is no *SURFACE {} of element faces", inQuotes(words[0])));
-    surface->second.used = true;
-    for (const DeckSurfaceLine& line : surface->second.lines) press(line.elements, line.face, words[2], position);
+    press(facesOf(*surface, prefix, position), words[2], position);
+  }
+  /// The faces of a surface, each once. prefix: of its names, that of the instance.
+  std::vector<std::int32_t> facesOf(const Surface& surface, const std::string& prefix, std::size_t position) {
+    std::set<std::int32_t> faces;
+    for (const DeckSurfaceLine& line : surface.lines)
+      for (const std::int32_t face : facesOf(prefix + line.elements, line.face, position)) faces.insert(face);
+    return {faces.begin(), faces.end()};
+  }
+  /// A surface, as used from now on, with what is to be put before the names in it; nullptr for none. One of a part is
+  /// INSTANCE.NAME, and NAME alone where there is one instance.
+  std::pair<Surface*, std::string> surfaceNamed(std::string_view word) {
+    const auto find = [&](const std::string& key) {
+      const auto found = surfaces_.find(key);
+      if (found != surfaces_.end()) found->second.used = true;
+      return found == surfaces_.end() ? nullptr : &found->second;
+    };
+    const std::string name = inUpperCase(word);
+    if (Surface* own = find(name)) return {own, ""};
+    for (const auto& [instance, part] : instances_) {
+      const std::string prefix = inUpperCase(instance) + ".";
+      const bool named = name.starts_with(prefix);
+      if (!named && instances_.size() > 1) continue;
+      if (Surface* own = find(part + "/" + (named ? name.substr(prefix.size()) : name))) return {own, prefix};
+    }
+    return {nullptr, ""};
   }
   /// Names of an element set of a part as the mesh has them: one for each instance.
   std::vector<std::string> elementSetsOf(const DeckSection& section) const {
@@ -879,7 +995,7 @@ class DeckReader {
     if (section.part.empty()) return {name};
     std::vector<std::string> names;
     for (const auto& [instance, part] : instances_)
-      if (part == section.part)
+      if (part == section.part && (section.instance.empty() || section.instance == instance))
         names.push_back(instances_.size() > 1 || elementSets_.count(key) != 0 ? instance + "." + name : name);
     return names;
   }
@@ -902,14 +1018,24 @@ class DeckReader {
                       fmt::format("*MATERIAL {} has no *ELASTIC and no *HYPERELASTIC", inQuotes(material->name)));
       return *material;
     };
-    // What all materials damp alike is of the body, which goes with more of the program.
+    // A card of a material that is not the only one is read in two ways.
+    if (instances_.empty())
+      for (const DeckSection& section : sections_)
+        for (const DeckMaterial& one : materials_)
+          if (one.damping && !materialOf(section).damping)
+            lines_.failAt(*one.dampingAt,
+                          fmt::format("*DAMPING of one of several materials: CalculiX damps the whole body by it, and "
+                                      "Abaqus {} alone; give {} its own, *DAMPING, ALPHA=0 for none",
+                                      inQuotes(one.name), inQuotes(section.material)));
+    // What all materials damp alike is of the body, which goes with more of the program, but of nothing else.
     const DeckMaterial& first = materialOf(sections_.front());
     const bool alike =
+        properties_.empty() && contacts_.empty() &&
         std::ranges::all_of(sections_, [&](const DeckSection& s) { return materialOf(s).damping == first.damping; });
     if (alike && first.damping) {
       scene_.sections["damping"]["mass"] = first.damping->first;
       scene_.sections["damping"]["stiffness"] = first.damping->second;
-      scene_.origins["damping"] = lines_.where(first.dampingAt);
+      scene_.origins["damping"] = lines_.where(*first.dampingAt);
     }
     for (const DeckSection& section : sections_) {
       const DeckMaterial& material = materialOf(section);
@@ -952,8 +1078,8 @@ class DeckReader {
   double massFactor(const std::string& set) {
     double factor = 1;
     for (DeckScaling& scaling : scalings_) {
-      const bool own = scaling.elset.empty() || inUpperCase(set) == inUpperCase(scaling.elset) ||
-                       inUpperCase(set) == inUpperCase(inInstance(scaling.elset, scaling.position).first);
+      const bool own = scaling.elset.empty() ||
+                       inUpperCase(set) == inUpperCase(nameIn(&Mesh::elementSets, scaling.elset, scaling.position));
       if (own) factor = scaling.factor;
       scaling.used = scaling.used || own;
     }
@@ -998,6 +1124,11 @@ class DeckReader {
                        isExplicit ? "leaves the step to the program" : "is implicit there, and is run explicitly here",
                        fixed ? "its step is held; integrator.step = \"auto\" follows the safe step"
                              : "the step follows the safe step"));
+    if (isExplicit && !viscosityAt_)
+      note(
+          fmt::format("{}: *DYNAMIC, EXPLICIT without *BULK VISCOSITY: there is none here, as in CalculiX; "
+                      "Abaqus/Explicit has 0.06 and 1.2 unasked",
+                      where));
     if (!fixed && times_.size() > 3 && times_[3] > 0)
       note(
           fmt::format("{}: *DYNAMIC, largest increment {} s: it does not bound the step, which is as large as is "
@@ -1103,12 +1234,13 @@ class DeckReader {
   void writeLinks() {
     if (!nonlinear_)
       for (const auto& [elset, links] : links_)
-        if (!links.empty() && links.front().type->nodes == 2)
+        if (!links.empty() && links.front().type->nodes == 2 && isInstanced(links.front().part))
           note(
               fmt::format("{}: the {} follows the line between its nodes; CalculiX keeps its first direction without "
                           "NLGEOM",
                           lines_.where(links.front().position), links.front().type->type));
     for (const DeckProperty& property : properties_) {
+      if (!isInstanced(property.part)) continue;
       const std::string key = inUpperCase(property.elset);
       const auto own = links_.find(property.part.empty() ? key : property.part + "/" + key);
       const auto of = [&](const DeckLink& link) { return link.type->keyword == property.keyword; };
@@ -1118,13 +1250,14 @@ class DeckReader {
                                   inQuotes(property.elset), linkTypesOf(property.keyword)));
       if (!property.part.empty() && instances_.size() > 1)
         lines_.failAt(property.position, fmt::format("*{}: in a part, with several instances; write its elements in "
-                                                     "the assembly",
+                                                     "the assembly, with sets INSTANCE.SET of one node as their "
+                                                     "nodes",
                                                      property.keyword));
       for (const DeckLink& link : own->second) writeLink(link, property);
       links_.erase(own);
     }
     for (const auto& [elset, links] : links_)
-      if (!links.empty())
+      if (!links.empty() && isInstanced(links.front().part))
         lines_.failAt(links.front().position, fmt::format("*ELEMENT, TYPE={}: no *{} names its ELSET",
                                                           links.front().type->type, links.front().type->keyword));
   }
@@ -1144,7 +1277,14 @@ class DeckReader {
                                 property.keyword, link.type->type, property.numbers.size(),
                                 toGround ? "a degree of freedom and one more" : "one"));
     const double value = lines_.real(property.numbers.back(), "a number of *" + property.keyword, property.position);
-    const std::string node = selectionOf(link.nodes[0], link.position);
+    const auto nodeOf = [&](const std::string& word) {
+      const std::string selection = selectionOf(word, link.position);
+      if (const std::size_t count = nodesOf(selection).size(); count != 1)
+        lines_.failAt(link.position, fmt::format("{}: {} is {} nodes of the mesh; it must be one", link.type->type,
+                                                 inQuotes(word), count));
+      return selection;
+    };
+    const std::string node = nodeOf(link.nodes[0]);
     if (property.keyword == "MASS") {
       last_.erase("mass");  // the mass of an entry is that of all its nodes
       return addEntry("mass", node, {{"mass", value}}, link.position);
@@ -1158,7 +1298,7 @@ class DeckReader {
                                                      property.keyword, dof));
       entry["direction"] = listOf(Eigen::Vector3d::Unit(dof - 1));
     } else {
-      entry["to_set"] = selectionOf(link.nodes[1], link.position);
+      entry["to_set"] = nodeOf(link.nodes[1]);
     }
     addEntry("spring", node, entry, link.position);
   }
@@ -1200,22 +1340,23 @@ class DeckReader {
   }
   /// The nodes of a surface, "#3,7", and whether it has no faces.
   std::pair<std::string, bool> contactSide(const std::string& name, std::size_t position) {
-    const auto found = surfaces_.find(name);
-    if (found == surfaces_.end())
+    const auto& [surface, prefix] = surfaceNamed(name);
+    if (surface == nullptr)
       lines_.failAt(position, fmt::format("*CONTACT PAIR: there is no *SURFACE {}", inQuotes(name)));
-    Surface& surface = found->second;
-    surface.used = true;
-    if (surface.ofNodes) {
+    if (surface->ofNodes) {
       std::set<std::int64_t> nodes;
-      for (const DeckSurfaceLine& line : surface.lines)
-        for (const std::int32_t node : nodesOf(selectionOf(line.elements, position))) nodes.insert(mesh().nodeId(node));
+      for (const DeckSurfaceLine& line : surface->lines) {
+        const auto own = nodesOf(selectionOf(prefix + line.elements, line.position));
+        if (own.empty())
+          lines_.failAt(line.position,
+                        fmt::format("*SURFACE: {} is no node set and no node of the mesh", inQuotes(line.elements)));
+        for (const std::int32_t node : own) nodes.insert(mesh().nodeId(node));
+      }
       return {fmt::format("#{}", fmt::join(nodes, ",")), true};
     }
-    std::set<std::int32_t> outside;
-    for (const DeckSurfaceLine& line : surface.lines)
-      for (const std::int32_t face : facesOf(line.elements, line.face, position)) outside.insert(face);
+    const std::vector<std::int32_t> outside = facesOf(*surface, prefix, position);
     if (!refused_.empty()) refuseAll();
-    const std::vector<std::string> sets = faces().nodeSetsOf({outside.begin(), outside.end()});
+    const std::vector<std::string> sets = faces().nodeSetsOf(outside);
     if (sets.size() != 1)
       lines_.failAt(position, fmt::format("*CONTACT PAIR: the faces of {} are not told from others by their nodes",
                                           inQuotes(name)));
@@ -1227,6 +1368,12 @@ class DeckReader {
         lines_.failAt(load.position, fmt::format("GRAV with *FIXED MASS SCALING, FACTOR ({}): weight is of the mass "
                                                  "that is not scaled, and here of all; give the sum as *CLOAD",
                                                  placeOf(scalings_.front().position)));
+      const auto mass = std::ranges::find_if(
+          properties_, [&](const DeckProperty& one) { return one.keyword == "MASS" && isInstanced(one.part); });
+      if (!load.elements.empty() && mass != properties_.end())
+        lines_.failAt(load.position, fmt::format("GRAV on {}: the masses of *MASS ({}) are not in it; leave the name "
+                                                 "out for all, or give the weight of the others as *CLOAD",
+                                                 inQuotes(load.elements), placeOf(mass->position)));
       const Table table = tableOf(load.amplitude, load.position);
       Json entry{{load.acceleration ? "acceleration" : "each", listOf(table.factor * load.value)}};
       entry.update(table.entries);
@@ -1265,6 +1412,7 @@ class DeckReader {
   std::optional<DeckKeyword> dynamic_, temperature_, expansion_;
   std::vector<double> times_;                                   // of *DYNAMIC, s
   std::string part_;                                            // that is being read, upper case
+  std::string instance_;                                        // likewise, as written
   std::vector<std::pair<std::string, std::string>> instances_;  // name, part
   std::map<std::string, std::string> nodeSets_, elementSets_;   // in upper case, PART/SET in a part -> as written
   std::map<std::string, std::string> rules_;                    // element -> quadrature rule
@@ -1277,12 +1425,8 @@ class DeckReader {
   std::vector<DeckScaling> scalings_;
   std::vector<DeckBoundary> boundaries_;
   std::vector<DeckPressure> pressures_;
+  std::optional<std::size_t> viscosityAt_;  // of *BULK VISCOSITY
   std::set<std::int32_t> pressed_;
-  struct Surface {
-    DeckKeyword keyword;
-    std::vector<DeckSurfaceLine> lines;
-    bool ofNodes = false, used = false;
-  };
   std::map<std::string, Surface> surfaces_;
   Surface* surface_ = nullptr;
   std::vector<DeckContact> contacts_;

@@ -212,7 +212,7 @@ TEST_F(ExplicitDecks, TakeNamesWithAnInstanceAndWithout) {
   std::string two = part("C3D8");
   two.replace(two.find("*Nset, nset=Fix"), 0, "*Instance, name=Bar-2, part=Bar\n1., 0., 0.\n*End Instance\n");
   refuse(two + steel() + step("*Cload\nBar-2.12, 1, 1.\n"),
-         "\"Bar-2.12\": a number in one of several instances; give a set");
+         "\"Bar-2.12\": a number in a deck of several instances; give a set");
 }
 
 // A free body has the velocity h a Σ f(n/100), n = 0 … 99, which is 49.5 h a, since f(s) + f(1 - s) = 1.
@@ -311,7 +311,9 @@ TEST_F(ExplicitDecks, ScaleMasses) {
          "GRAV with *FIXED MASS SCALING, FACTOR (line 52): weight is of the mass that is not scaled");
   refuse(part("C3D8") + steel() +
              step("*Fixed Mass Scaling, dt=5e-5\n", "*Dynamic, Explicit, direct user control\n1e-6, 1e-4\n"),
-         "*FIXED MASS SCALING, DT: the step is fixed");
+         "mass scaling by DT does not go with a fixed step (deck.inp:");
+  refuse(deck("*Fixed Mass Scaling, dt=5e-5\n", "*Bulk Viscosity\n"), "does not go with *BULK VISCOSITY (deck.inp:");
+  refuse(deck("*Fixed Mass Scaling, dt=5e-5\n", "*Dload\n1, P1, 1.\n"), "does not go with pressures (deck.inp:");
   for (const std::string command : {"run deck.inp --out x", "inspect deck.inp"}) {
     refuse(deck("*Fixed Mass Scaling, dt=5e-5, type=UNIFORM\n"),
            "TYPE=UNIFORM: gives mass to elements that do not need", command);

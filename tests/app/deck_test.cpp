@@ -422,6 +422,122 @@ TEST_F(Decks, GiveEachInstanceItsMaterial) {
   EXPECT_NEAR(parse(outcome.out)["mass"].get<double>(), 2 + 4, 1e-13);
 }
 
+TEST_F(Decks, RefuseWhatTheyWouldTakeInSilence) {
+  const auto inStep = [](const std::string& more) { return std::string(soft) + step(more); };
+  const auto before = [](const std::string& more) { return std::string(soft) + more + step(""); };
+  // Nodes that are not there, numbers that are none, and what is not text.
+  const std::string pair = "*SURFACE, NAME=a\n1, S6\n*CONTACT PAIR\nb, a\n*SURFACE, NAME=b, TYPE=NODE\n9\n";
+  refuse(before(pair + "77\n"), "deck.inp:35: *SURFACE: \"77\" is no node set and no node of the mesh");
+  refuse(before(pair + "nowhere\n"), "deck.inp:35: *SURFACE: \"nowhere\" is no node set");
+  refuse(before(pair + "12abc\n"), "deck.inp:35: the number of a node is \"12abc\"");
+  refuse(inStep("*CLOAD\n99999999999999999999, 1, 1.\n"), "deck.inp:33: the number of a node is");
+  refuse(inStep("*CLOAD\n9, 1, nan\n"), "deck.inp:33: the force is \"nan\"");
+  refuse(inStep("*CLOAD\nB\xff, 1, 1.\n"), "deck.inp:33: the line is not UTF-8");
+  // What is given twice: both lines.
+  refuse(before(soft), "deck.inp:29: *MATERIAL \"Soft\" gives a second time what line 23 gives");
+  const auto ofMaterial = [](const std::string& more) {
+    return "*MATERIAL, NAME=m\n*ELASTIC\n30e3, 0.3\n*DENSITY\n1000.\n" + more +
+           "*SOLID SECTION, ELSET=Eall, MATERIAL=m\n" + step("");
+  };
+  refuse(ofMaterial("*DENSITY\n2000.\n"), "deck.inp:28: *DENSITY gives a second time what line 26 gives");
+  refuse(ofMaterial("*HYPERELASTIC, NEO HOOKE\n1., 1.\n"), "deck.inp:28: *HYPERELASTIC gives a second time");
+  refuse("*MATERIAL, NAME=m\n*HYPERELASTIC, NEO HOOKE, YEOH\n", "*HYPERELASTIC names two energies");
+  refuse(before("*AMPLITUDE, NAME=a\n0., 1.\n*AMPLITUDE, NAME=A\n0., 2.\n"),
+         "deck.inp:31: *AMPLITUDE \"A\" gives a second time what line 29 gives");
+  refuse(before("*SURFACE, NAME=a\n1, S6\n*SURFACE, NAME=A\n2, S4\n"), "*SURFACE \"A\" gives a second time");
+  refuse(inStep("*BULK VISCOSITY\n0.06, 1.2\n0.1, 1.2\n"), "*BULK VISCOSITY has a second line");
+  refuse(inStep("*BULK VISCOSITY\n*BULK VISCOSITY\n"), "*BULK VISCOSITY gives a second time what line 32 gives");
+  refuse(before("*AMPLITUDE, NAME=a\n0., 0., 1.,\n"), "a time without its value");
+  // What stands where it is not read.
+  refuse(before("*CLOAD\n9, 1, 1.\n"), "deck.inp:29: *CLOAD stands outside a step");
+  refuse(std::string(soft) + "*DYNAMIC, EXPLICIT\n, 1.\n", "deck.inp:29: *DYNAMIC stands outside a step");
+  refuse(before("*BOUNDARY\nright, 1, 1, 1e-3\n"), "deck.inp:30: *BOUNDARY before the step");
+  refuse(std::string(soft) + step("", "*STEP, NLGEOM=OFF\n*DYNAMIC, EXPLICIT\n, 1.\n"), "NLGEOM=OFF: YES and NO");
+  // Masses that are not in a set of elements.
+  const std::string mass = "*ELEMENT, TYPE=MASS, ELSET=tip\n100, 9\n*MASS, ELSET=tip\n1.\n";
+  refuse(std::string(soft) + mass + step("*DLOAD\nEall, GRAV, 9.81, 0., 0., -1.\n"),
+         "deck.inp:37: GRAV on \"Eall\": the masses of *MASS (line 31) are not in it");
+  // A damping that CalculiX gives to all.
+  write(
+      "*ELSET, ELSET=one\n1\n*ELSET, ELSET=two\n2\n*MATERIAL, NAME=m\n*ELASTIC\n3e4, 0.3\n*DENSITY\n1000.\n"
+      "*MATERIAL, NAME=n\n*ELASTIC\n3e4, 0.3\n*DENSITY\n1000.\n*DAMPING, ALPHA=10.\n*SOLID SECTION, ELSET=one, "
+      "MATERIAL=m\n*SOLID SECTION, ELSET=two, MATERIAL=n\n" +
+      step(""));
+  expectRefused("run deck.inp --out x", "*DAMPING of one of several materials: CalculiX damps the whole body by it");
+}
+
+// m a = -α m v of the body alone: a point mass without springs to others is not damped, nor is a face pressed twice.
+TEST_F(Decks, DampTheMaterialAndPressAFaceOnce) {
+  const std::string held = std::string(soft) + "*BOUNDARY\nleft, 1, 3\n";
+  const NodeVectors once = run(held + "*SURFACE, NAME=end\n2, S4\n" + step("*DSLOAD\nend, P, 100.\n"));
+  const NodeVectors again = run(held + "*SURFACE, NAME=end\n2, S4\n2, S4\n" + step("*DSLOAD\nend, P, 100.\n"));
+  EXPECT_GT(once.norm(), 0);
+  EXPECT_EQ((once - again).norm(), 0);
+
+  // All nodes have the same mass m of the body and M = k m of point masses: u = v (1 - exp(-α t / (1 + k))) (1 + k) /
+  // α.
+  const double alpha = 10, k = 3, t = 0.05;
+  const std::string damped =
+      "*MATERIAL, NAME=m\n*ELASTIC\n30e3, 0.3\n*DENSITY\n1000.\n*DAMPING, ALPHA=10.\n"
+      "*SOLID SECTION, ELSET=Eall, MATERIAL=m\n";
+  std::string masses = "*ELEMENT, TYPE=MASS, ELSET=ends\n", middle = "*ELEMENT, TYPE=MASS, ELSET=mids\n";
+  for (const int node : {1, 4, 5, 8, 9, 10, 11, 12}) masses += joinText(100 + node, ", ", node, "\n");
+  for (const int node : {2, 3, 6, 7}) middle += joinText(100 + node, ", ", node, "\n");
+  masses += "*MASS, ELSET=ends\n0.375\n" + middle + "*MASS, ELSET=mids\n0.75\n";
+  const NodeVectors u = run(damped + masses + "*INITIAL CONDITIONS, TYPE=VELOCITY\nNall, 1, 1.\n" + step(""));
+  const double expected = (1 - std::exp(-alpha * t / (1 + k))) * (1 + k) / alpha;
+  EXPECT_LT((u.row(0).array() - expected).abs().maxCoeff(), 2e-3 * expected);
+}
+
+TEST_F(Decks, KeepInstancesAndPartsApart) {
+  const std::string mesh = std::string(cubes).substr(std::string(cubes).find("*NODE"));
+  const std::string material = "*MATERIAL, NAME=soft\n*ELASTIC\n30e3, 0.3\n*DENSITY\n1000.\n";
+  const std::string section = "*SOLID SECTION, ELSET=Eall, MATERIAL=soft\n";
+  const std::string one = "*INSTANCE, NAME=A, PART=p\n*END INSTANCE\n", two = one +
+                                                                              "*INSTANCE, NAME=B, PART=p\n1., "
+                                                                              "0., 0.\n*END INSTANCE\n";
+  const auto deck = [&](const std::string& parts, const std::string& assembly, const std::string& more) {
+    return "*HEADING\n*PART, NAME=p\n" + mesh + parts + "*ASSEMBLY, NAME=a\n" + assembly + "*END ASSEMBLY\n" +
+           material + more;
+  };
+  const auto refused = [&](const std::string& text, const std::string& what) {
+    folder_.write("deck.inp", text);
+    expectRefused("run deck.inp --out x", what);
+  };
+  const auto massOf = [&](const std::string& text) {
+    folder_.write("deck.inp", text);
+    const Outcome outcome = call("inspect deck.inp --json -");
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return parse(outcome.out)["mass"].get<double>();
+  };
+  // Numbers of several instances.
+  const std::string why = ": a number in a deck of several instances; give a set";
+  refused(deck(section + "*END PART\n", two, "*BOUNDARY\n5, 1, 3\n" + step("")), "\"5\"" + why);
+  refused(deck(section + "*END PART\n", two + "*SURFACE, NAME=n, TYPE=NODE\n5\n*SURFACE, NAME=f\nB.Eall,\n",
+               step("*CONTACT PAIR\nn, f\n")),
+          "\"5\"" + why);
+  const std::string mass = "*ELEMENT, TYPE=MASS, ELSET=points\n100, 5\n*MASS, ELSET=points\n3.\n";
+  refused(deck(section + "*END PART\n", two + mass, step("")), "\"5\"" + why);
+  refused(deck(section + mass + "*END PART\n", two, step("")), "with sets INSTANCE.SET of one node");
+  const std::string tip = "*NSET, NSET=tip\n9\n", bySet =
+                                                      "*ELEMENT, TYPE=MASS, ELSET=points\n100, B.tip\n"
+                                                      "*MASS, ELSET=points\n3.\n";
+  EXPECT_NEAR(massOf(deck(tip + section + "*END PART\n", two + bySet, "")), 4 + 3, 1e-13);
+  refused(deck("*NSET, NSET=tip\n9, 10\n" + section + "*END PART\n", two + bySet, step("")),
+          "\"B.tip\" is 2 nodes of the mesh; it must be one");
+  // A part without an instance, and a section of one instance.
+  EXPECT_NEAR(massOf(deck(section + "*END PART\n*PART, NAME=q\n" + mesh + section + mass + "*END PART\n", one, "")), 2,
+              1e-13);
+  const std::string inOne = "*INSTANCE, NAME=A, PART=p\n" + section + "*END INSTANCE\n";
+  refused(deck("*END PART\n", inOne + two.substr(one.size()), step("")), "2 of 4 elements have no material");
+  refused(deck(section + "*BOUNDARY\nleft, 1\n*END PART\n", one, step("")), "*BOUNDARY stands in a *PART");
+  // The set of the instance, where the assembly has one of its name: node 9 moves, and 1 does not.
+  folder_.write("deck.inp", deck(tip + section + "*END PART\n", one + "*NSET, NSET=tip, INSTANCE=A\n1\n",
+                                 step("*BOUNDARY\nA.tip, 1, 3\n")));
+  ASSERT_EQ(call("run deck.inp --out named --set output.picture=false").status, 0);
+  EXPECT_EQ(json("named/summary.json")["scene"]["fix"][0]["set"], "A.tip");
+}
+
 TEST_F(Decks, ListEveryKeywordOnce) {
   const std::string help = call("help decks").out;
   std::istringstream lines(help.substr(0, help.find("parameters of keywords")));
