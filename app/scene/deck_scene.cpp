@@ -529,7 +529,8 @@ class DeckReader {
       if (ofFirstStep()) reading_ = Reading::contact;
     } else if (name == "SURFACEINTERACTION") {
       interaction_ = inUpperCase(keyword_.value("NAME"));
-      frictions_[interaction_] = 0;
+      if (!frictions_.try_emplace(interaction_, 0).second)
+        return refuseHere(fmt::format(" {} is given a second time; leave one out", inQuotes(interaction_)));
     } else if (name == "FRICTION") {
       if (interaction_.empty()) return refuseHere(" stands before any *SURFACE INTERACTION");
       reading_ = Reading::friction;

@@ -448,6 +448,8 @@ TEST_F(Decks, RefuseWhatTheyWouldTakeInSilence) {
   refuse(inStep("*BULK VISCOSITY\n0.06, 1.2\n0.1, 1.2\n"), "*BULK VISCOSITY has a second line");
   refuse(inStep("*BULK VISCOSITY\n*BULK VISCOSITY\n"), "*BULK VISCOSITY gives a second time what line 32 gives");
   refuse(before("*AMPLITUDE, NAME=a\n0., 0., 1.,\n"), "a time without its value");
+  refuse(before("*SURFACE INTERACTION, NAME=s\n*FRICTION\n0.2\n*SURFACE INTERACTION, NAME=S\n"),
+         "*SURFACE INTERACTION \"S\" is given a second time");
   // What stands where it is not read.
   refuse(before("*CLOAD\n9, 1, 1.\n"), "deck.inp:29: *CLOAD stands outside a step");
   refuse(std::string(soft) + "*DYNAMIC, EXPLICIT\n, 1.\n", "deck.inp:29: *DYNAMIC stands outside a step");
