@@ -103,14 +103,11 @@ std::string otherOrder(const Mesh& mesh, const ElementInfo& info, const Jacobian
     return detail::nodesOutOfRows(mesh, info, probe, nodes).empty()
                ? ""
                : "; its nodes go in rows, as those of VTK's voxels, which `ringwatch mesh repair` puts right";
-  const std::vector<int> edges = detail::edgesOfMiddles(mesh, info, nodes);
+  const std::vector<int> edges = detail::otherOrderOfMiddles(mesh, info, nodes);
+  if (edges.empty()) return {};
   int misplaced = 0, first = -1;
   for (int i = 0; i < static_cast<int>(edges.size()); ++i)
     if (edges[i] != i && misplaced++ == 0) first = i;
-  std::vector<int> sorted = edges;
-  std::ranges::sort(sorted);
-  // A middle that two nodes lie in is no order.
-  if (misplaced == 0 || std::ranges::adjacent_find(sorted) != sorted.end()) return {};
   const int corners = cornerCount(info);
   return joinText("; ", misplaced, " of its nodes lie in the middle of another's edge, node ",
                   nodeId(mesh, nodes[corners + first]), " where node ", nodeId(mesh, nodes[corners + edges[first]]),
@@ -287,7 +284,7 @@ void dropUnusedNodes(Mesh& mesh, const std::string& source, std::vector<std::str
   }
 }
 
-std::vector<int> edgesOfMiddles(const Mesh& mesh, const ElementInfo& info, const std::int32_t* nodes) {
+std::vector<int> otherOrderOfMiddles(const Mesh& mesh, const ElementInfo& info, const std::int32_t* nodes) {
   const int corners = cornerCount(info);
   const auto count = static_cast<int>(info.edges.size());
   const auto distance = [&](int middle, int edge) {
@@ -303,7 +300,11 @@ std::vector<int> edgesOfMiddles(const Mesh& mesh, const ElementInfo& info, const
       if (const double other = distance(i, edge); other < least) best = edge, least = other;
     edges.push_back(best);
   }
-  return edges;
+  std::vector<int> sorted = edges;
+  std::ranges::sort(sorted);
+  // A middle that two nodes lie in is no order.
+  const bool isOrder = std::ranges::adjacent_find(sorted) == sorted.end();
+  return isOrder && edges != sorted ? edges : std::vector<int>();
 }
 
 std::string_view programOfOrder(const ElementInfo& info, const std::vector<int>& edges) {

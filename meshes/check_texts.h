@@ -29,10 +29,11 @@ std::vector<MeshProblem> overlaps(const Mesh& mesh, const std::function<bool(std
 /// turnMirrored, then all that checkMesh finds, and overlaps where some elements alone were turned.
 std::vector<MeshProblem> turnAndCheck(Mesh& mesh, const std::string& source, std::vector<std::string>* notes);
 /// For each node in the middle of an edge of a quadratic element the edge in whose middle it lies: its own, unless
-/// another's middle is four times nearer.
-std::vector<int> edgesOfMiddles(const Mesh& mesh, const ElementInfo& info, const std::int32_t* nodes);
+/// another's middle is four times nearer. Empty where each lies in its own, and where two lie in one: only another
+/// program's order is told.
+std::vector<int> otherOrderOfMiddles(const Mesh& mesh, const ElementInfo& info, const std::int32_t* nodes);
 /// Whose order of the nodes on edges this is: "gmsh's", "Exodus' and Nastran's", "another program's". edges: as of
-/// edgesOfMiddles.
+/// otherOrderOfMiddles.
 std::string_view programOfOrder(const ElementInfo& info, const std::vector<int>& edges);
 /// The nodes of a linear hexahedron or pyramid that is folded because its quadrilaterals go in rows where they should
 /// go round, as VTK's voxels do, in our order; empty for another element. probe: of its type.

@@ -256,7 +256,9 @@ std::size_t MeshBuilder::leaveDoublesOut(Elements& list) {
   };
   const bool all = doubles == Doubles::all;
   if (!all && std::ranges::adjacent_find(list.groups, std::ranges::not_equal_to()) == list.groups.end()) return 0;
-  std::vector<std::int64_t> keys = list.nodes;
+  std::vector<std::int64_t> sorted;
+  if (all) sorted = list.nodes;
+  std::vector<std::int64_t>& keys = all ? sorted : list.nodes;
   for (std::size_t e = 0; all && e < list.ids.size(); ++e) std::ranges::sort(nodesOf(keys, e));
   std::vector<std::size_t> order(list.ids.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

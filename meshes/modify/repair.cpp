@@ -26,10 +26,8 @@ void putInOrder(Mesh& mesh, const std::string& source, std::vector<std::string>&
         ++inRows;
       }
       if (info.order == 1) continue;
-      const std::vector<int> edges = detail::edgesOfMiddles(mesh, info, nodes);
-      std::vector<int> sorted = edges;
-      std::ranges::sort(sorted);
-      if (std::ranges::is_sorted(edges) || std::ranges::adjacent_find(sorted) != sorted.end()) continue;
+      const std::vector<int> edges = detail::otherOrderOfMiddles(mesh, info, nodes);
+      if (edges.empty()) continue;
       std::int32_t* const middles = nodes + cornerCount(info);
       const std::vector<std::int32_t> before(middles, middles + edges.size());
       for (std::size_t i = 0; i < edges.size(); ++i) middles[edges[i]] = before[i];
