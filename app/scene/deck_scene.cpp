@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 #include <span>
+#include <unordered_map>
 #include <utility>
 
 #include <fmt/format.h>
@@ -430,11 +431,9 @@ class DeckReader {
       reading_ = Reading::elastic;
     } else if (name == "HYPERELASTIC") {
       if (!firstOf(material->lawAt)) return;
-      if (std::ranges::count_if(rubbers, [&](const DeckRubber& r) { return keyword_.has(std::string(r.parameter)); }) >
-          1)
-        return refuseHere(" names two energies; one is of a material");
-      const auto* form =
-          std::ranges::find_if(rubbers, [&](const DeckRubber& r) { return keyword_.has(std::string(r.parameter)); });
+      const auto isNamed = [&](const DeckRubber& r) { return keyword_.has(std::string(r.parameter)); };
+      if (std::ranges::count_if(rubbers, isNamed) > 1) return refuseHere(" names two energies; one is of a material");
+      const auto* form = std::ranges::find_if(rubbers, isNamed);
       if (form == std::end(rubbers)) return refuseHere(": NEO HOOKE, MOONEY-RIVLIN and YEOH with their D1 are taken");
       material->form = form;
       reading_ = Reading::hyperelastic;
@@ -883,9 +882,11 @@ class DeckReader {
   std::vector<std::int32_t> nodesOf(const std::string& selection) {
     if (const auto set = mesh().nodeSets.find(selection); set != mesh().nodeSets.end()) return set->second;
     if (selection.starts_with('#')) {
-      const std::int64_t number = std::stoll(selection.substr(1));
-      for (std::int32_t node = 0; node < static_cast<std::int32_t>(mesh().nodeCount()); ++node)
-        if (mesh().nodeId(node) == number) return {node};
+      if (nodeOfNumber_.empty())
+        for (std::int32_t node = 0; node < static_cast<std::int32_t>(mesh().nodeCount()); ++node)
+          nodeOfNumber_.try_emplace(mesh().nodeId(node), node);
+      if (const auto node = nodeOfNumber_.find(std::stoll(selection.substr(1))); node != nodeOfNumber_.end())
+        return {node->second};
     }
     return {};
   }
@@ -901,9 +902,12 @@ class DeckReader {
     const std::string given = nameIn(&Mesh::elementSets, word, position);
     if (isNumber(given)) {
       const std::int64_t number = lines_.number(given, "the element", position);
-      for (std::size_t b = 0; b < mesh().blocks.size(); ++b)
-        for (std::size_t e = 0; e < mesh().blocks[b].elementCount(); ++e)
-          if (mesh().blocks[b].id(e) == number) return {{static_cast<std::int32_t>(b), static_cast<std::int32_t>(e)}};
+      if (elementOfNumber_.empty())
+        for (std::int32_t b = 0; b < static_cast<std::int32_t>(mesh().blocks.size()); ++b)
+          for (std::int32_t e = 0; e < static_cast<std::int32_t>(mesh().blocks[b].elementCount()); ++e)
+            elementOfNumber_.try_emplace(mesh().blocks[b].id(e), ElementRef{b, e});
+      if (const auto element = elementOfNumber_.find(number); element != elementOfNumber_.end())
+        return {element->second};
       lines_.failAt(position, fmt::format("*{}: the mesh has no element {}", keyword_.name, number));
     }
     if (const auto set = mesh().elementSets.find(given); set != mesh().elementSets.end()) return set->second;
@@ -1439,6 +1443,8 @@ class DeckReader {
   std::map<std::string, DeckAmplitude> amplitudes_;
   DeckAmplitude* amplitude_ = nullptr;
   std::optional<Mesh> mesh_;
+  std::unordered_map<std::int64_t, std::int32_t> nodeOfNumber_;   // of the mesh, once asked for
+  std::unordered_map<std::int64_t, ElementRef> elementOfNumber_;  // the same
   std::optional<DeckFaces> faces_;
   std::vector<std::string> refused_;
   std::set<std::string> noted_;
