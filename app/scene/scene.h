@@ -137,7 +137,9 @@ struct Scene {
   /// Mass at nodes that no element has.
   struct PointMass {
     NodeSelection nodes;
-    double mass;  // kg, of all nodes together
+    double mass = 0;                   // kg, of all nodes together
+    std::optional<double> nodal = {};  // kg, instead: what each node has with it in all
+    std::string origin = {};           // "scene.toml:31: [[mass]]", for messages
   };
   /// Damping of some nodes in proportion to their mass.
   struct MassDamping {
@@ -152,6 +154,7 @@ struct Scene {
     double stiffness, damping;                 // N/m, N s/m, of each
     std::optional<Eigen::Vector3d> direction;  // to the ground
     std::optional<double> length;              // m, at rest; empty: as it is at the start
+    bool alongEdges = false;                   // of elements, both of whose ends are selected
     std::string origin;                        // "scene.toml:31: [[spring]]", for messages
   };
   struct MovingObstacle {

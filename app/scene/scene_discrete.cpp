@@ -1,6 +1,7 @@
 #include <ringwatch/app/scene/scene_discrete.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <map>
@@ -49,10 +50,20 @@ constexpr int ownStepCorrections = 12;
 constexpr double startRounding = 1e-9;
 
 void readSpring(const SceneTable& section, Scene& scene) {
-  Scene::SpringSet springs{selectionOf(section),           std::nullopt, section.get<double>("stiffness"),
-                           section.get<double>("damping"), std::nullopt, std::nullopt,
-                           section.origin + ": [[spring]]"};
+  Scene::SpringSet springs{.nodes = selectionOf(section),
+                           .to = {},
+                           .stiffness = section.get<double>("stiffness"),
+                           .damping = section.get<double>("damping"),
+                           .direction = {},
+                           .length = {},
+                           .alongEdges = section.get<bool>("edges"),
+                           .origin = section.origin + ": [[spring]]"};
   if (section.given("to_where") || section.given("to_set")) springs.to = selectionOf(section, "to_");
+  if (section.given("edges"))
+    for (const char* key : {"to_where", "to_set", "direction"})
+      if (section.given(key))
+        fail(section.at(key).origin, fmt::format("spring.{}", key),
+             "springs along edges have both ends in the selection; take it out, or edges");
   if (section.given("direction")) {
     if (springs.to)
       fail(section.at("direction").origin, "spring.direction",
@@ -62,7 +73,7 @@ void readSpring(const SceneTable& section, Scene& scene) {
     springs.direction = direction.normalized();
   }
   if (section.given("length")) {
-    if (!springs.to)
+    if (!springs.to && !springs.alongEdges)
       fail(section.at("length").origin, "spring.length",
            "a spring to the ground is at rest where its node is; give to_where or to_set, or take it out");
     springs.length = section.get<double>("length");
@@ -233,8 +244,36 @@ std::int32_t nearest(const Mesh& mesh, std::int32_t node, const std::vector<std:
   return best;
 }
 
+/// The edges of elements both of whose ends are among some nodes, each once.
+std::vector<std::array<std::int32_t, 2>> edgesAmong(const std::vector<std::int32_t>& nodes, const Mesh& mesh) {
+  std::vector<bool> chosen(mesh.nodeCount(), false);
+  for (const std::int32_t node : nodes) chosen[static_cast<std::size_t>(node)] = true;
+  std::vector<std::array<std::int32_t, 2>> edges;
+  for (const MeshBlock& block : mesh.blocks)
+    for (std::size_t e = 0; e < block.elementCount(); ++e)
+      for (const auto& [a, b] : elementInfo(block.type).edges) {
+        const std::int32_t one = block.element(e)[a], other = block.element(e)[b];
+        if (chosen[static_cast<std::size_t>(one)] && chosen[static_cast<std::size_t>(other)])
+          edges.push_back({std::min(one, other), std::max(one, other)});
+      }
+  sortUnique(edges);
+  return edges;
+}
+
 std::vector<Spring> springsOf(const Scene::SpringSet& set, const Mesh& mesh) {
   std::vector<Spring> springs;
+  if (set.alongEdges) {
+    for (const auto& [node, other] : edgesAmong(set.nodes.nodesOf(mesh), mesh))
+      springs.push_back({.node = node,
+                         .other = other,
+                         .length = set.length.value_or((mesh.X.col(other) - mesh.X.col(node)).norm()),
+                         .stiffness = set.stiffness,
+                         .damping = set.damping});
+    if (springs.empty())
+      throw InputError(
+          fmt::format("{}: no edge of an element has both ends in the selection; change a condition", set.origin));
+    return springs;
+  }
   const std::vector<std::int32_t> others = set.to ? set.to->nodesOf(mesh) : std::vector<std::int32_t>();
   for (const std::int32_t node : set.nodes.nodesOf(mesh)) {
     Spring spring;
@@ -644,7 +683,18 @@ void readDiscreteSections(const std::vector<SceneTable>& sections, Scene& scene)
       if (section.name == name) read(section, scene);
   };
   forEach("mass", [](const SceneTable& section, Scene& to) {
-    to.pointMasses.push_back({selectionOf(section), section.get<double>("mass")});
+    if (section.given("mass") == section.given("nodal_mass"))
+      fail(section.given("mass") ? section.at("nodal_mass").origin : section.origin, "mass.mass",
+           section.given("mass") ? "both mass and nodal_mass are given; give one of them"
+                                 : "missing; give mass, of all nodes together, or nodal_mass, of each, kg, > 0");
+    Scene::PointMass own{.nodes = selectionOf(section), .origin = section.origin + ": [[mass]]"};
+    if (section.given("mass"))
+      own.mass = section.get<double>("mass");
+    else
+      own.nodal = section.get<double>("nodal_mass");
+    if (own.nodal && !to.cuts.empty())
+      fail(section.at("nodal_mass").origin, "mass.nodal_mass", "does not go with [[cut]], which makes more nodes");
+    to.pointMasses.push_back(std::move(own));
   });
   forEach("mass_damping", [](const SceneTable& section, Scene& to) {
     to.massDampings.push_back(
@@ -663,7 +713,13 @@ void readDiscreteSections(const std::vector<SceneTable>& sections, Scene& scene)
 void addPointMasses(const Scene& scene, Body& body) {
   for (const Scene::PointMass& point : scene.pointMasses) {
     const std::vector<std::int32_t> nodes = point.nodes.nodesOf(body.mesh());
-    for (const std::int32_t node : nodes) body.addNodalMass(node, point.mass / static_cast<double>(nodes.size()));
+    for (const std::int32_t node : nodes) {
+      const double has = body.lumpedMass()[node];
+      if (point.nodal && has > *point.nodal)
+        throw InputError(fmt::format("{}: nodal_mass = {} kg: node {} has {} kg without it; give at least that",
+                                     point.origin, *point.nodal, body.mesh().nodeId(node), has));
+      body.addNodalMass(node, point.nodal ? *point.nodal - has : point.mass / static_cast<double>(nodes.size()));
+    }
   }
 }
 

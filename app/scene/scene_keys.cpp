@@ -66,7 +66,7 @@ constexpr std::array<SceneSection, 21> sections{{
     {"output", false, false, "what is written besides history.csv and summary.json"},
 }};
 
-constexpr std::array<SceneAlternative, 31> alternatives{{
+constexpr std::array<SceneAlternative, 35> alternatives{{
     {"mesh", "file", "generate"},
     {"material", "where", "set", SceneAlternative::Need::oneOfMany},
     {"fix", "where", "set", SceneAlternative::Need::one, "rigid"},
@@ -84,11 +84,15 @@ constexpr std::array<SceneAlternative, 31> alternatives{{
     {"force", "acceleration", "force", SceneAlternative::Need::one, "each"},
     {"pressure", "where", "set"},
     {"mass", "where", "set"},
+    {"mass", "mass", "nodal_mass"},
     {"handler", "step", "factor", SceneAlternative::Need::atMostOne},
     {"mass_damping", "where", "set"},
     {"rigid", "where", "set"},
     {"spring", "where", "set"},
     {"spring", "to_where", "to_set", SceneAlternative::Need::atMostOne},
+    {"spring", "edges", "to_where", SceneAlternative::Need::atMostOne},
+    {"spring", "edges", "to_set", SceneAlternative::Need::atMostOne},
+    {"spring", "edges", "direction", SceneAlternative::Need::atMostOne},
     {"contact", "where", "set", SceneAlternative::Need::atMostOne},
     {"contact", "to_where", "to_set", SceneAlternative::Need::atMostOne},
     {"cut", "point", "line"},
@@ -585,9 +589,14 @@ void addDiscrete(std::vector<SceneKey>& all) {
       {{.key = "mass",
         .type = T::number,
         .unit = "kg",
-        .required = true,
         .range = positive,
-        .help = "of all the nodes together, which share it equally"}});
+        .help = "of all the nodes together, which share it equally"},
+       {.key = "nodal_mass",
+        .type = T::number,
+        .unit = "kg",
+        .range = positive,
+        .help = "instead of mass: what each node has in all, its elements' share and masses above included; at least "
+                "those"}});
   addNodes(all, "mass_damping");
   add(all, "mass_damping",
       {{.key = "rate",
@@ -606,12 +615,16 @@ void addDiscrete(std::vector<SceneKey>& all) {
            .type = T::text,
            .help = "the other ends: each node's spring leads to the nearest of these; without, to the ground"},
           {.key = "to_set", .type = T::text, .help = "named node set of the mesh, instead of to_where"},
+          {.key = "edges",
+           .type = T::boolean,
+           .fallback = "false",
+           .help = "one along each edge of the elements both of whose ends are selected, instead of one at each node"},
           {.key = "stiffness",
            .type = T::number,
            .unit = "N/m",
            .required = true,
            .range = notNegative,
-           .help = "of the spring of each node"},
+           .help = "of each spring"},
           {.key = "damping",
            .type = T::number,
            .unit = "N s/m",

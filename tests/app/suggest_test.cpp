@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <ringwatch/base/error.h>
+
 #include "program.h"
 
 namespace ringwatch {
@@ -175,6 +177,53 @@ TEST_F(Program, RefusesTimesStretchesAndIntegratorsThatSaySomethingElse) {
                                     "[[obstacle]]\nkind = \"plane\"\npoint = [0, 0, -1]\nnormal = [0, 0, 1]\n"
                                     "[[contact]]\npenalty = 10\nfriction = 0.3\nslip = 0.1\n");
   expectRefused("suggest rubbing.toml --frame 1/60 --stretch 0.7:1.5", "stretch: contact has friction, whose damping");
+}
+
+// One along each edge of a tetrahedron is six springs; masses of nodes are theirs whatever the elements give.
+TEST_F(Program, TakesSpringsAlongEdgesAndMassesOfNodes) {
+  folder_.write("one.inp",
+                "*NODE\n1, 0, 0, 0\n2, 0.1, 0, 0\n3, 0, 0.1, 0\n4, 0, 0, 0.12\n*ELEMENT, TYPE=C3D4\n1, 1, 2, 3, 4\n");
+  const std::string head = R"([mesh]
+file = "one.inp"
+[material]
+model = "stvk"
+young = 3e4
+poisson = 0.3
+density = 10
+[integrator]
+step = 0.002
+end = 1
+[[mass]]
+where = "all"
+)";
+  const auto start = [&](const std::string& more) {
+    folder_.write("one.toml", head + more);
+    return parse(call("suggest one.toml --frame 0.01 --json -").out)["start"];
+  };
+  std::string six;
+  for (int i = 1; i <= 4; ++i)
+    for (int j = i + 1; j <= 4; ++j)
+      six += joinText("[[spring]]\nset = \"#", i, "\"\nto_set = \"#", j, "\"\nstiffness = 900\ndamping = 2\n");
+  const std::string edges = "[[spring]]\nwhere = \"all\"\nedges = true\nstiffness = 900\ndamping = 2\n";
+  const Json along = start("mass = 1\n" + edges), each = start("mass = 1\n" + six), without = start("mass = 1\n");
+  EXPECT_NEAR(along["safe"].get<double>(), each["safe"].get<double>(), 1e-9);
+  EXPECT_LT(along["safe"], without["safe"]);
+  // Elements give each node a quarter of density × volume.
+  const double own = 10 * 0.1 * 0.1 * 0.12 / 24;
+  EXPECT_NEAR(start("nodal_mass = " + test::digits(own + 0.25) + "\n")["safe"].get<double>(),
+              without["safe"].get<double>(), 1e-12);
+
+  const auto refuse = [&](const std::string& more, const std::string& what) {
+    folder_.write("one.toml", head + more);
+    expectRefused("suggest one.toml --frame 0.01", what);
+  };
+  refuse("nodal_mass = 1e-9\n", "one.toml:11: [[mass]]: nodal_mass = 1e-09 kg: node ");
+  refuse("nodal_mass = 1\nmass = 2\n", "one.toml:13: mass.mass: both mass and nodal_mass are given; give one of them");
+  refuse("", "one.toml:11: mass.mass: missing; give mass, of all nodes together, or nodal_mass");
+  refuse("nodal_mass = 1\n[[cut]]\ntime = 0\npoint = [0, 0, 0]\nnormal = [1, 0, 0]\n",
+         "mass.nodal_mass: does not go with [[cut]]");
+  refuse("mass = 1\n" + edges + "to_set = \"x\"\n",
+         "one.toml:19: spring.to_set: springs along edges have both ends in the selection");
 }
 
 }  // namespace
