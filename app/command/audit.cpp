@@ -36,8 +36,8 @@ Scene sceneOfAudit(const AuditOptions& options) {
   if (!options.scene.empty()) {
     std::vector<std::string> overrides;
     if (options.density) overrides.push_back(fmt::format("material.density={}", *options.density));
-    return isDeckFile(options.scene) ? sceneOfDeck(options.scene, DeckUse::model, overrides)
-                                     : readScene(options.scene, overrides);
+    return isModelFile(options.scene) ? sceneOfModel(options.scene, DeckUse::model, overrides)
+                                      : readScene(options.scene, overrides);
   }
   Scene scene;
   SceneMaterial& material = scene.materials.emplace_back();

@@ -277,8 +277,9 @@ struct RunCommand {
   void declare(CLI::App& app) {
     CLI::App* command = app.add_subcommand("run", "run a scene: a nonlinear simulation with the monitor watching");
     command
-        ->add_option("SCENE", scene,
-                     "scene file (TOML), or an Abaqus or CalculiX deck; see ringwatch help scene | decks")
+        ->add_option(
+            "SCENE", scene,
+            "scene file (TOML), an Abaqus or CalculiX deck, or a MuJoCo model; see ringwatch help scene | decks")
         ->type_name("SCENE");
     command
         ->add_option("--out", folder, "folder for the results, made when missing (default: out/ and the scene's name)")
@@ -507,7 +508,9 @@ struct InspectCommand {
 
   void declare(CLI::App& app) {
     CLI::App* command = app.add_subcommand("inspect", "report the steps that a mesh can take, and what limits them");
-    command->add_option("MESH", options.mesh, "mesh file: " + readableExtensions() + "; or the folder of a run")
+    command
+        ->add_option("MESH", options.mesh,
+                     "mesh file: " + readableExtensions() + "; a MuJoCo model, .xml; or the folder of a run")
         ->required()
         ->type_name("MESH");
     for (const SceneKey& key : sceneKeys())
@@ -664,7 +667,8 @@ struct AuditCommand {
 /// SCENE and the options of every question that is asked of a scene before it runs.
 template <class Question>
 void declareQuestion(CLI::App& command, Question& options, JsonOption& json) {
-  command.add_option("SCENE", options.scene, "scene file (TOML); see ringwatch help scene")->required();
+  command.add_option("SCENE", options.scene, "scene file (TOML), deck or MuJoCo model; see ringwatch help scene")
+      ->required();
   command.add_option("--set", options.overrides, "section.key=value, replaces the value of the scene")
       ->allow_extra_args(false);
   json.declare(command, "numbers");
@@ -681,7 +685,8 @@ struct SuggestCommand {
     CLI::App* command =
         app.add_subcommand("suggest", "say how many steps a scene needs in a time, such as that of a picture");
     declareQuestion(*command, options, json);
-    addTime(*command, "--frame", options.frame, "the time, s: a number or a fraction, such as 1/60")->required();
+    addTime(*command, "--frame", options.frame,
+            "the time, s: a number or a fraction, such as 1/60 (default: the scene's step, which is answered for)");
     command->add_option("--stretch", stretch,
                         "a:b, also for every state whose stretches stay between these two, e.g. 0.7:1.5");
     command->footer(std::string(unitsText) + "\n" + seeTopics("scene | integrators") + exitStatusHint);

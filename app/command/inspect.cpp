@@ -10,9 +10,11 @@
 #include <ringwatch/app/command/distribution.h>
 #include <ringwatch/app/command/elements_in_the_way.h>
 #include <ringwatch/app/command/progress.h>
+#include <ringwatch/app/command/step_answer.h>
 #include <ringwatch/app/output/frames.h>
 #include <ringwatch/app/output/report.h>
 #include <ringwatch/app/scene/body_notes.h>
+#include <ringwatch/app/scene/mjcf_model.h>
 #include <ringwatch/app/scene/scene.h>
 #include <ringwatch/app/scene/scene_discrete.h>
 #include <ringwatch/base/atomic_file.h>
@@ -174,11 +176,11 @@ Subject subjectOfRun(const InspectOptions& options) {
                    Json{{"frame", *options.frame}, {"frames", frames.size()}, {"time", frame.time}}, std::move(notes));
 }
 
-/// With the materials, sections and supports of a deck.
-Subject subjectOfDeck(const InspectOptions& options) {
+/// With the materials, sections and supports of a deck, or the flexes of a MuJoCo model.
+Subject subjectOfModel(const InspectOptions& options) {
   std::vector<std::string> overrides;
   if (options.density) overrides.push_back(fmt::format("material.density={}", *options.density));
-  Scene scene = sceneOfDeck(options.mesh, DeckUse::model, overrides);
+  Scene scene = sceneOfModel(options.mesh, DeckUse::model, overrides);
   scene.meshOrigin = options.mesh.string();
   override(scene, options);
   integratorNamed(scene.method);
@@ -233,7 +235,8 @@ Subject subjectOf(const InspectOptions& options) {
                     options.mesh.string()));
   if (folder) return subjectOfRun(options);
   const bool ownLaw = options.parameters.begin() != options.parameters.end();
-  if (!ownLaw && !options.displacement && isDeckFile(options.mesh)) return subjectOfDeck(options);
+  if (!options.displacement && (isMjcfFile(options.mesh) || (!ownLaw && isDeckFile(options.mesh))))
+    return subjectOfModel(options);
   Scene scene = sceneOfMeshFile(options);
   std::vector<std::string> notes;
   MeshState state;
@@ -420,6 +423,18 @@ ProvenSides reportExactStep(const Subject& subject, const InspectOptions& option
       "factorisation of {:.3g} million numbers\n",
       exact->safe, exact->optimistic, 1e-6 * cost.numbers);
   return exact->sides;
+}
+
+/// Whether the step that a deck or model asks for is stable, by the bracket and by what --exact has proven.
+void answerOwnStep(const Subject& subject, CriticalStep bracket, InspectResult& result) {
+  const Json& proven = result.json["critical_step"];
+  if (const auto exact = proven.find("exact"); exact != proven.end()) {
+    bracket.safe = std::max(bracket.safe, exact->at("safe").get<double>());
+    bracket.optimistic = std::min(bracket.optimistic, exact->at("optimistic").get<double>());
+  }
+  StepAnswer answer = answerStep(*subject.scene.step, bracket, subject.scene.mayBeStable);
+  result.json["timestep"] = std::move(answer.json);
+  result.text += answer.text;
 }
 
 /// A step for all states whose stretches lie in a range.
@@ -669,6 +684,7 @@ InspectResult inspectMesh(const InspectOptions& options) {
   if (options.global) globalStep = reportGlobalStep(subject, options, result);
   ProvenSides sides;
   if (options.exact) sides = reportExactStep(subject, options, result);
+  if (subject.scene.ofModel && subject.scene.step) answerOwnStep(subject, step, result);
   if (options.stretch) reportRange(subject, *options.stretch, result);
 
   std::vector<MetricResult> metrics;

@@ -6,26 +6,21 @@
 #include <fmt/format.h>
 
 #include <ringwatch/app/command/scene_start.h>
+#include <ringwatch/app/command/step_answer.h>
 #include <ringwatch/app/output/report.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/monitor/critical_step.h>
+#include <ringwatch/monitor/stability_monitor.h>
 
 namespace ringwatch {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Equal steps in `frame` seconds of which none is longer than h; 0 for none that is finite.
-double stepsOf(double frame, double h) {
-  if (!(h > 0)) return 0;
-  const double count = std::max(1.0, std::ceil(frame / h));
-  return frame / count <= h ? count : count + 1;  // a quotient that was rounded down
-}
-
 /// Adds to json the steps that a safe step h asks for, and returns them as text.
 std::string tellSteps(double frame, double h, Json& json) {
   json["safe"] = h;
-  const double count = stepsOf(frame, h);
+  const double count = stepsIn(frame, h);
   if (count == 0 || !(count <= mostSteps)) {
     json["steps"] = nullptr;
     return "no number of steps is known to be stable";
@@ -47,6 +42,12 @@ SuggestResult suggestSteps(const SuggestOptions& options) {
   if (options.stretch && scene.hasElementDamping())
     throw InputError(
         fmt::format("{}: --stretch takes no elements that damp; leave it out", scene.elementDampingOrigin));
+  if (!options.frame && !scene.step)
+    throw InputError(
+        fmt::format("{}: integrator.step = \"auto\": the time in which steps are counted is needed; give --frame, e.g. "
+                    "--frame 1/60",
+                    scene.file.string()));
+  const double frame = options.frame.value_or(scene.step.value_or(0));
   const CriticalStep bracket = criticalStep(body, start.state.x, rule);
 
   SuggestResult result;
@@ -54,14 +55,14 @@ SuggestResult suggestSteps(const SuggestOptions& options) {
   json = Json{{"scene", scene.file.string()},
               {"integrator", std::string(start.integrator->name)},
               {"damped", scene.damps()},
-              {"frame", options.frame}};
+              {"frame", frame}};
   result.text =
       fmt::format("{}: {}, {}, {}{}\nin {:.6g} s:\n", scene.file.string(), elementCounts(body.mesh()),
-                  modelsText(scene.materials), start.integrator->name, scene.damps() ? ", damped" : "", options.frame);
-  const std::string atStart = tellSteps(options.frame, bracket.safe, json["start"]);
+                  modelsText(scene.materials), start.integrator->name, scene.damps() ? ", damped" : "", frame);
+  const std::string atStart = tellSteps(frame, bracket.safe, json["start"]);
   json["start"]["optimistic"] = bracket.optimistic;
   std::string fewer;
-  if (const double least = stepsOf(options.frame, bracket.optimistic); least > 1) {
+  if (const double least = stepsIn(frame, bracket.optimistic); least > 1 && scene.mayBeStable.empty()) {
     json["start"]["unstable_steps"] = static_cast<std::int64_t>(least) - 1;
     fewer = fmt::format("; {} or fewer are proven unstable", static_cast<std::int64_t>(least) - 1);
   }
@@ -73,16 +74,24 @@ SuggestResult suggestSteps(const SuggestOptions& options) {
     for (const ModulusRange& modulus : range.modulus) own["modulus"].push_back(modulus.bound);
     result.text += fmt::format("  {:<25} {}\n",
                                fmt::format("stretches {:.4g} to {:.4g}", options.stretch->low, options.stretch->high),
-                               tellSteps(options.frame, range.safe, own));
+                               tellSteps(frame, range.safe, own));
   }
-  if (scene.step) {
-    const double own = stepsOf(options.frame, *scene.step);
-    json["scene_step"] = *scene.step;
-    result.text +=
-        fmt::format("  the step of the scene     {:.6g} s, {:.0f} steps: {} at its start\n", *scene.step, own,
-                    *scene.step <= bracket.safe        ? "proven stable"
-                    : *scene.step > bracket.optimistic ? "proven unstable"
-                                                       : "neither proven stable nor unstable");
+  if (scene.step) json["scene_step"] = *scene.step;
+  if (scene.step && !options.frame) {
+    const StepAnswer answer = answerStep(*scene.step, bracket, scene.mayBeStable);
+    json["timestep"] = answer.json;
+    result.text += "  " + answer.text;
+    if (scene.ofModel && verdictFor(*scene.step, bracket) == Verdict::notCertified)
+      notes.push_back(
+          fmt::format("ringwatch inspect {} --exact tells the critical step to a millionth", scene.file.string()));
+  }
+  if (scene.step && options.frame) {
+    const double own = stepsIn(frame, *scene.step);
+    result.text += fmt::format(
+        "  the step of the scene     {:.6g} s, {:.0f} steps: {} at its start\n", *scene.step, own,
+        *scene.step <= bracket.safe                                     ? "proven stable"
+        : *scene.step > bracket.optimistic && scene.mayBeStable.empty() ? "proven unstable"
+                                                                        : "neither proven stable nor unstable");
   }
   if (!scene.contacts.empty())
     notes.emplace_back(

@@ -14,7 +14,7 @@ namespace ringwatch {
 struct SuggestOptions {
   std::filesystem::path scene;
   std::vector<std::string> overrides;   // section.key=value
-  double frame = 0;                     // s between two pictures
+  std::optional<double> frame;          // s between two pictures; empty: the step of the scene
   std::optional<StretchRange> stretch;  // also for all states whose stretches lie there
   int threads = 0;
 };

@@ -14,11 +14,13 @@ enum class DeckUse {
   model  ///< the body: mesh, materials, sections and what is held; procedures and loads do not matter to it
 };
 
-/// The sections of a scene that an Abaqus or CalculiX deck stands for.
+/// The sections of a scene that an Abaqus or CalculiX deck, or a MuJoCo model, stands for.
 struct DeckScene {
   nlohmann::ordered_json sections;             // as in Scene::echo, but only what the deck says
   std::map<std::string, std::string> origins;  // "force.0" -> "deck.inp:31", of sections
   std::vector<std::string> notes;              // what is left out and what is taken otherwise, with file and line
+  /// Why a step above the optimistic side may be stable all the same: something that damps is left out; "" else.
+  std::string mayBeStable = {};
 };
 
 /// Whether a file is a deck, by its content or its extension .inp. False for one that cannot be read.

@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 
 #include <ringwatch/app/command/integrator_catalog.h>
+#include <ringwatch/app/scene/mjcf_model.h>
+#include <ringwatch/app/scene/mjcf_scene.h>
 #include <ringwatch/app/scene/scene_damping.h>
 #include <ringwatch/app/scene/scene_discrete.h>
 #include <ringwatch/app/scene/scene_features.h>
@@ -719,15 +721,18 @@ Scene makeScene(const std::filesystem::path& file, const std::vector<SceneTable>
 }  // namespace
 
 Scene readScene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-  if (isDeckFile(file)) return sceneOfDeck(file, DeckUse::run, overrides);
+  if (isModelFile(file)) return sceneOfModel(file, DeckUse::run, overrides);
   return makeScene(file, readSceneTables(file, overrides));
 }
 
-Scene sceneOfDeck(const std::filesystem::path& file, DeckUse use, const std::vector<std::string>& overrides) {
-  DeckScene deck = readDeckScene(file, use);
-  Scene scene = makeScene(file, sceneTablesOfDeck(file, deck, overrides));
-  scene.ofDeck = true;
-  scene.notes = std::move(deck.notes);
+bool isModelFile(const std::filesystem::path& file) { return isDeckFile(file) || isMjcfFile(file); }
+
+Scene sceneOfModel(const std::filesystem::path& file, DeckUse use, const std::vector<std::string>& overrides) {
+  DeckScene model = isMjcfFile(file) ? readMjcfScene(file) : readDeckScene(file, use);
+  Scene scene = makeScene(file, sceneTablesOfDeck(file, model, overrides));
+  scene.ofModel = true;
+  scene.notes = std::move(model.notes);
+  scene.mayBeStable = std::move(model.mayBeStable);
   return scene;
 }
 

@@ -219,8 +219,9 @@ struct Scene {
   };
 
   std::filesystem::path file;
-  bool ofDeck = false;             // the file is an Abaqus or CalculiX deck
+  bool ofModel = false;            // the file is an Abaqus or CalculiX deck or a MuJoCo model
   std::vector<std::string> notes;  // what a user may want to know of how the file was read, one line each
+  std::string mayBeStable;         // as DeckScene::mayBeStable
   nlohmann::ordered_json echo;     // every section and key with defaults filled in
 
   std::filesystem::path meshFile;  // empty when generated
@@ -328,13 +329,16 @@ struct Scene {
 /// What the handlers that are known declare.
 std::vector<HandlerInfo> handlerInfos();
 
-/// Reads and checks a scene file, or an Abaqus or CalculiX deck. overrides: `section.key=value` each, value as TOML (a
+/// Whether a file is a model of another program that stands for a scene: a deck, or MuJoCo's.
+bool isModelFile(const std::filesystem::path& file);
+
+/// Reads and checks a scene file, or a model of another program. overrides: `section.key=value` each, value as TOML (a
 /// bare word is taken for a string); they win over the file. Throws InputError "FILE:LINE: section.key: what is wrong;
 /// what would be right".
 Scene readScene(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
 
-/// The scene that a deck stands for; see readDeckScene.
-Scene sceneOfDeck(const std::filesystem::path& file, DeckUse use, const std::vector<std::string>& overrides = {});
+/// The scene that a model of another program stands for; see readDeckScene and readMjcfScene.
+Scene sceneOfModel(const std::filesystem::path& file, DeckUse use, const std::vector<std::string>& overrides = {});
 
 /// The scene of an echo (Scene::echo). file: of the scene, for messages and what is relative to it.
 Scene sceneOfEcho(const std::filesystem::path& file, const nlohmann::ordered_json& echo);

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <ringwatch/app/scene/mjcf_model.h>
 #include <ringwatch/app/scene/scene_damping.h>
 #include <ringwatch/app/scene/scene_discrete.h>
 #include <ringwatch/app/scene/scene_mesh.h>
@@ -161,16 +162,17 @@ Mesh sceneMesh(const Scene& scene, std::vector<std::string>& notes) {
   if (scene.generator.empty()) {
     try {
       std::vector<std::string> read;
-      Mesh mesh = loadMesh(scene.meshFile, &read);
+      Mesh mesh =
+          isMjcfFile(scene.meshFile) ? meshOfFlexes(readFlexModel(scene.meshFile)) : loadMesh(scene.meshFile, &read);
       // What a deck holds beside its mesh has become the scene.
-      if (scene.ofDeck)
+      if (scene.ofModel)
         std::erase_if(read, [](const std::string& note) { return note.find(detail::deckSkippedNote) != note.npos; });
       notes.insert(notes.end(), scene.notes.begin(), scene.notes.end());
       notes.insert(notes.end(), read.begin(), read.end());
       renumberNodes(mesh);  // a mesher's order may cost a fifth of every step
       return mesh;
     } catch (const InputError& fault) {
-      if (scene.ofDeck) throw;  // it names the deck
+      if (scene.ofModel) throw;  // it names the file
       throw InputError(fmt::format("{}: {}", scene.meshOrigin, fault.what()));
     }
   }

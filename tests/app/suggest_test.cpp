@@ -167,7 +167,6 @@ TEST_F(Program, RefusesTimesStretchesAndIntegratorsThatSaySomethingElse) {
   for (const std::string bad : {"1", "0:1", "1.5:0.7", "0.7:", "a:b", "0.7:1.5:2"})
     expectRefused("suggest tiny.toml --frame 1/60 --stretch=" + bad,
                   "--stretch: \"" + bad + "\" is no range of stretches; must be a:b with 0 < a <= b");
-  expectRefused("suggest tiny.toml", "--frame");
   expectRefused("suggest tiny.toml --frame 1/60 --set integrator.method=explicit-euler", "is unstable at every step");
   expectRefused("suggest tiny.toml --frame 1/60 --set integrator.method=implicit-euler", "has no critical step");
   folder_.write("held.toml", std::string(tiny) + "[[spring]]\nwhere = \"x > 0.1 - 1e-6\"\nstiffness = 10\n");
@@ -224,6 +223,20 @@ where = "all"
          "mass.nodal_mass: does not go with [[cut]]");
   refuse("mass = 1\n" + edges + "to_set = \"x\"\n",
          "one.toml:19: spring.to_set: springs along edges have both ends in the selection");
+}
+
+// Without a time the step of the scene is answered for.
+TEST_F(Program, SuggestsForTheStepOfTheScene) {
+  folder_.write("tiny.toml", tiny);
+  const Outcome outcome = call("suggest tiny.toml --set integrator.step=4e-3 --json a.json");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("your timestep 0.004 s is proven unstable, as is every one above "));
+  const Json report = json("a.json");
+  EXPECT_EQ(report["frame"], 4e-3);
+  EXPECT_EQ(report["timestep"]["steps"], report["start"]["steps"]);
+  EXPECT_FALSE(parse(call("suggest tiny.toml --frame 0.02 --json -").out).contains("timestep"));
+  expectRefused("suggest tiny.toml --set integrator.step=auto",
+                "tiny.toml: integrator.step = \"auto\": the time in which steps are counted is needed; give --frame");
 }
 
 }  // namespace
