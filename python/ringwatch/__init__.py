@@ -20,6 +20,7 @@ from ._results import (
     Metric,
     MonitorEvent,
     MonitorReport,
+    Suggestion,
     Verification,
 )
 from ._ringwatch import (
@@ -36,6 +37,7 @@ from ._ringwatch import (
 )
 from ._convert import mesh_from
 from ._device_monitor import DeviceMonitor
+from ._suggest import suggest
 from ._run import Comparison, RunResult, compare, report, run
 from ._verification import verify
 
@@ -58,6 +60,7 @@ __all__ = [
     "MonitorReport",
     "NumericalError",
     "RunResult",
+    "Suggestion",
     "TangentBracket",
     "Verification",
     "__version__",
@@ -69,5 +72,6 @@ __all__ = [
     "metric_names",
     "report",
     "run",
+    "suggest",
     "verify",
 ]

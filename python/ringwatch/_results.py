@@ -98,6 +98,38 @@ class CriticalStep(Result):
 
 
 @dataclass(frozen=True, slots=True, repr=False)
+class Suggestion(Result):
+    """What is proven of a step: see `suggest`."""
+
+    safe: float
+    """s, proven stable up to here."""
+    optimistic: float
+    """s, proven unstable above."""
+    dt: float | None
+    """s, the step that was asked about."""
+    verdict: str | None
+    """certified: proven stable; violated: proven unstable; not-certified: neither. None without dt."""
+    substeps: int | None
+    """Equal parts of dt, each proven stable; None where no number is, and without dt."""
+    substep: float | None
+    """s, the length of each."""
+    controlling: int
+    """The cell that holds most of the top mode, as far as it is known."""
+    state: int
+    """The state of the batch whose safe step is the least."""
+
+    def __str__(self) -> str:
+        text = f"proven stable up to {self.safe:.6g} s, proven unstable above {self.optimistic:.6g} s"
+        if self.dt is None:
+            return text
+        verdict = {"certified": "proven stable", "violated": "proven unstable"}.get(
+            str(self.verdict), "neither proven stable nor unstable"
+        )
+        parts = f"{self.substeps} substep{'s' * (self.substeps != 1)} of {self.substep:.6g} s" if self.substeps else "no substeps"
+        return f"dt = {self.dt:.6g} s is {verdict}; {text}: {parts}"
+
+
+@dataclass(frozen=True, slots=True, repr=False)
 class Metric(Result):
     """The steps of all elements by a metric."""
 

@@ -49,7 +49,7 @@ def test_the_pages_snippets(tmp_path: pathlib.Path, monkeypatch: pytest.MonkeyPa
     assert result.attempted > 20 and result.failed == 0, "".join(told)
 
 
-@pytest.mark.parametrize("name", ["", "_convert", "_plot", "_run", "_results", "_errors", "_verification"])
+@pytest.mark.parametrize("name", ["", "_convert", "_plot", "_run", "_results", "_errors", "_suggest", "_verification"])
 def test_the_packages_own_snippets(name: str) -> None:
     module = rw if not name else sys.modules[f"ringwatch.{name}"]
     result = doctest.testmod(module, optionflags=doctest.ELLIPSIS)
