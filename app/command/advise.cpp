@@ -141,13 +141,6 @@ class Trials {
   std::optional<WorkPrecisionCase> case_;
 };
 
-/// The step of the mesh without some elements, on the whole mass: what a mesh without them would allow at least.
-double safeWithout(const SceneStart& start, const std::vector<ElementRef>& left) {
-  ElementFlags flags = noElements(start.body.mesh());
-  for (const ElementRef e : left) flags[e.block][e.element] = true;
-  return criticalStep(Body(start.body, complement(std::move(flags))), start.state.x, start.rule).safe;
-}
-
 /// The time up to which the body of a scene stays whole, s.
 double wholeUntil(const Scene& scene) {
   return scene.cuts.empty() ? scene.end : std::min(scene.end, scene.cuts.front().time);
@@ -334,7 +327,7 @@ AdviseResult adviseScene(const AdviseOptions& options) {
       "  {} of {} elements are in the way; {}{}\n", count, body.mesh().elementCount(),
       bad == 0 ? std::string("none of them is badly shaped")
                : fmt::format("{} of them {} badly shaped ({}): {} in the mesh", bad, bad == 1 ? "is" : "are",
-                             way.shapesText(), way.badNumbersText(body.mesh())),
+                             way.shapesText(), numbersText(way.badlyShaped, body.mesh())),
       count > fewInTheWay * static_cast<double>(body.mesh().elementCount()) ? "; handlers are for few" : "");
 
   std::vector<Way> ways = Trials(options, start, h, time, bracket.safe).all();
@@ -376,7 +369,7 @@ AdviseResult adviseScene(const AdviseOptions& options) {
   result.text +=
       Advice(ways, options.error, runs ? &*runs : nullptr, runs ? runs->steps() : trialSteps).tell(json) + "\n";
   if (bad > 0) {
-    const double without = safeWithout(start, way.badlyShaped);
+    const double without = safeWithout(start.body, start.state.x, start.rule, way.badlyShaped);
     json["remeshed"] = without;
     const double times = without / bracket.safe;
     result.text += fmt::format("remeshing: without the {} badly shaped element{} {:.6g} s would be proven, {}\n", bad,

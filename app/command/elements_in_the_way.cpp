@@ -9,6 +9,7 @@
 #include <ringwatch/handlers/handler.h>
 #include <ringwatch/handlers/selection/certified_selection.h>
 #include <ringwatch/meshes/quality.h>
+#include <ringwatch/monitor/critical_step.h>
 
 namespace ringwatch {
 
@@ -19,13 +20,13 @@ std::string ElementsInTheWay::shapesText() const {
   return text;
 }
 
-std::string ElementsInTheWay::badNumbersText(const Mesh& mesh) const {
+std::string numbersText(const std::vector<ElementRef>& elements, const Mesh& mesh) {
   constexpr std::size_t most = 12;  // fills a line
   std::vector<std::int64_t> ids;
-  for (const ElementRef e : badlyShaped)
+  for (const ElementRef e : elements)
     if (ids.size() < most) ids.push_back(mesh.blocks[e.block].id(e.element));
-  return fmt::format("number{} {}{}", badlyShaped.size() == 1 ? "" : "s", fmt::join(ids, ", "),
-                     badlyShaped.size() > most ? " and more" : "");
+  return fmt::format("number{} {}{}", elements.size() == 1 ? "" : "s", fmt::join(ids, ", "),
+                     elements.size() > most ? " and more" : "");
 }
 
 void ElementsInTheWay::addShapes(const Mesh& mesh) {
@@ -53,6 +54,12 @@ ElementsInTheWay elementsInTheWay(const Body& body, const NodeVectors& x, const 
           : chosenElements(complement(noElements(body.mesh())));
   found.addShapes(body.mesh());
   return found;
+}
+
+double safeWithout(const Body& body, NodeVectorsView x, const StepRule& rule, const std::vector<ElementRef>& left) {
+  ElementFlags flags = noElements(body.mesh());
+  for (const ElementRef e : left) flags[e.block][e.element] = true;
+  return criticalStep(Body(body, complement(std::move(flags))), x, rule).safe;
 }
 
 std::string whyNoHandlers(const Body& body, const IntegratorInfo& integrator) {

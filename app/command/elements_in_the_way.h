@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <ringwatch/body/body.h>
+#include <ringwatch/monitor/step_limit.h>
 
 namespace ringwatch {
 
@@ -22,15 +23,20 @@ struct ElementsInTheWay {
   void addShapes(const Mesh& mesh);
   /// "3 slivers, 1 cap"; "" where none is badly shaped.
   std::string shapesText() const;
-  /// Numbers in the mesh of the first badly shaped ones: "number 7", "numbers 7, 12 and more".
-  std::string badNumbersText(const Mesh& mesh) const;
 };
+
+/// The numbers that the first few elements have in the mesh: "number 7", "numbers 7, 12 and more".
+std::string numbersText(const std::vector<ElementRef>& elements, const Mesh& mesh);
 
 /// Returns those of a step h (s) at positions x (3×N, m), with the room that handlers leave by default; all elements
 /// where mass-proportional damping alone forbids the step. For integrators that take a handler. Throws NumericalError
 /// where the state has no finite tangent.
 ElementsInTheWay elementsInTheWay(const Body& body, const NodeVectors& x, const IntegratorInfo& integrator,
                                   const RayleighDamping& damping, double h);
+
+/// The step that a body at positions x (3×N, m) is proven for without some elements, on the whole mass: what a mesh
+/// without them would allow at least. For bodies that take a handler.
+double safeWithout(const Body& body, NodeVectorsView x, const StepRule& rule, const std::vector<ElementRef>& left);
 
 /// Says why no handler steps a body with an integrator, "" where one does.
 std::string whyNoHandlers(const Body& body, const IntegratorInfo& integrator);

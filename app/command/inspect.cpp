@@ -13,6 +13,7 @@
 #include <ringwatch/app/command/step_answer.h>
 #include <ringwatch/app/output/frames.h>
 #include <ringwatch/app/output/report.h>
+#include <ringwatch/app/output/step_reasons.h>
 #include <ringwatch/app/scene/body_notes.h>
 #include <ringwatch/app/scene/mjcf_model.h>
 #include <ringwatch/app/scene/scene.h>
@@ -699,6 +700,12 @@ InspectResult inspectMesh(const InspectOptions& options) {
       {elementJson(subject.body.mesh(), step.controlling), elementText(subject.body.mesh(), step.controlling),
        quality[step.controlling.block][step.controlling.element]},
       result);
+  Json& why = result.json["why"] = stepReasons(subject.body, subject.x, subject.rule(), *subject.integrator, step);
+  const auto ring =
+      std::ranges::find(metrics, "reduced-1-ring", [](const MetricResult& one) { return one.info->name; });
+  addRemedies(why, subject.body, subject.x, subject.rule(), *subject.integrator, OfState::bracket,
+              ring == metrics.end() ? nullptr : &*ring);
+  result.text += reasonsText(why, "  ", "\n");
   if (options.step) reportStep(subject, metrics, step, *options.step, result);
   if (options.prove) sides = reportProof(subject, *options.prove, result);
   if (options.distribution || options.picture) reportDistribution(subject, metrics, step, options, result);
@@ -721,6 +728,7 @@ InspectResult inspectParts(const InspectOptions& options, InspectedParts& parts)
   result.text += headOfBracket("at rest", modelsText(scene.materials), integrator, false);
   reportSides(step, "", result);
   reportControllingElement(parts.element(step.controlling), result);
+  result.json["why"] = nullptr;  // no process has all elements
   return result;
 }
 

@@ -8,6 +8,7 @@
 #include <ringwatch/app/command/scene_start.h>
 #include <ringwatch/app/command/step_answer.h>
 #include <ringwatch/app/output/report.h>
+#include <ringwatch/app/output/step_reasons.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/monitor/critical_step.h>
 #include <ringwatch/monitor/stability_monitor.h>
@@ -99,6 +100,9 @@ SuggestResult suggestSteps(const SuggestOptions& options) {
         "grows with the depth to which nodes come");
   if (!scene.handler.empty())
     notes.push_back(fmt::format("without the handler {}: with it larger steps are possible", scene.handler));
+  Json& why = json["why"] = stepReasons(body, start.state.x, rule, *start.integrator, bracket);
+  addRemedies(why, body, start.state.x, rule, *start.integrator, OfState::bracket);
+  result.text += reasonsText(why, "  ", "\n");
   json["notes"] = notes;
   for (const std::string& note : notes) result.text += fmt::format("  note: {}\n", note);
   return result;

@@ -1,5 +1,7 @@
 #include <ringwatch/app/output/output_fields.h>
 
+#include <algorithm>
+#include <array>
 #include <vector>
 
 #include <ringwatch/body/element_stress.h>
@@ -9,6 +11,61 @@ namespace {
 
 using F = FieldType;
 using P = Presence;
+
+/// Tables one behind another.
+template <std::size_t n, std::size_t m>
+constexpr std::array<OutputField, n + m> joined(const OutputField (&first)[n], const OutputField (&second)[m]) {
+  std::array<OutputField, n + m> all{};
+  std::copy_n(first, n, all.begin());
+  std::copy_n(second, m, all.begin() + n);
+  return all;
+}
+
+/// What is said of a bracket, whichever command made it.
+constexpr OutputField reasons[] = {
+    {"why", "", "why the step is so small; null where every step is proven, none is, or nothing is known of it",
+     F::object, P::orNull},
+    {"why.safe", "s", "the safe step that it is about"},
+    {"why.optimistic", "s", "the optimistic one", F::number, P::orNull},
+    {"why.step", "", "of a run: before which step that was", F::integer, P::sometimes},
+    {"why.time", "s", "of a run: when that was", F::number, P::sometimes},
+    {"why.element.block", "", "of the element that limits it, from 0", F::integer},
+    {"why.element.index", "", "of that element in its block, from 0", F::integer},
+    {"why.element.type", "", "of that element", F::text},
+    {"why.element.nodes[]", "", "its nodes, from 0", F::integer},
+    {"why.element.id", "", "its number in the mesh file", F::integer},
+    {"why.element.node_ids[]", "", "the numbers of its nodes in the mesh file", F::integer},
+    {"why.element.material", "", "number of its material, where there are several", F::integer, P::sometimes},
+    {"why.cause", "", "its strain and its shape in a few words", F::text},
+    {"why.height", "m", "its least height in the state"},
+    {"why.wave_speed", "m/s", "of pressure waves in its material, at rest"},
+    {"why.slowest_wave", "m/s", "of the slowest material"},
+    {"why.wave_step", "s", "by the rule of thumb, the time in which a wave crosses the element"},
+    {"why.poisson", "", "Poisson's ratio of its material at rest"},
+    {"why.poisson_factor", "", "wave speed over that with a ratio of 0.3 and the same Young's modulus"},
+    {"why.damping_share", "", "of the step that the same frequency allows without damping, what damping takes"},
+    {"why.discrete_share", "", "of the energy of the top mode, what springs and contact hold"},
+    {"why.faults[]", "", "penalty, damping, strain, shape, size, poisson or material: what makes it small", F::text},
+    {"why.own_step", "s", "by the reduced 1-ring of the element; null where it forbids none", F::number, P::orNull},
+    {"why.median_step", "s", "that of the median element; null in very large meshes", F::number, P::orNull},
+    {"why.elements", "", "of the mesh", F::integer},
+    {"why.remesh", "",
+     "the elements whose own step is below half the median, else the worst hundredth; null where that gains nothing",
+     F::object, P::orNull},
+    {"why.remesh.elements", "", "their number", F::integer},
+    {"why.remesh.shapes", "", "the bad shapes among them", F::text},
+    {"why.remesh.numbers", "", "the first of their numbers in the mesh file", F::text},
+    {"why.remesh.step", "s", "that is left without them"},
+    {"why.remesh.proven", "",
+     "whether that step is proven, as by inspect and suggest in meshes of up to 5000 elements; else it is guessed",
+     F::boolean},
+    {"why.mass", "", "that they need for about the same step, with remesh", F::object, P::orNull},
+    {"why.mass.added", "kg", "in all"},
+    {"why.mass.share", "", "of the body's mass"},
+    {"why.mass.materials[]", "", "numbers of their materials, where there are several", F::integer},
+    {"why.handler", "", "that could take them, with remesh; null where none goes with the body", F::text, P::orNull},
+    {"why.text[]", "", "the same in sentences", F::text},
+};
 
 constexpr OutputField columns[] = {
     {"step", "", "number of the step that begins at this row", F::integer},
@@ -29,7 +86,7 @@ constexpr OutputField columns[] = {
     {"eroded_elements", "", "elements that have left the run so far", F::integer},
 };
 
-constexpr OutputField summary[] = {
+constexpr OutputField summaryAlone[] = {
     {"program", "", "ringwatch", F::text},
     {"version", "", "of the program", F::text},
     {"scene_file", "", "the scene as it was given", F::text},
@@ -198,6 +255,7 @@ constexpr OutputField summary[] = {
     {"provenance.mesh_hash", "",
      "of nodes and elements at the end of the run, 16 hexadecimal digits: the same for the same mesh", F::text},
 };
+constexpr auto summary = joined(summaryAlone, reasons);
 
 constexpr OutputField frame[] = {
     {"displacement", "m", "at nodes; the points themselves are where the nodes are"},
@@ -215,7 +273,7 @@ constexpr OutputField frame[] = {
 };
 
 // The mesh and the element of several outputs are written out in each: every table says all that its file has.
-constexpr OutputField inspection[] = {
+constexpr OutputField inspectionAlone[] = {
     {"mesh.nodes", "", "number of nodes", F::integer},
     {"mesh.elements.*", "", "number of elements of each type", F::integer},
     {"mesh.volume", "m^3", "at rest"},
@@ -241,7 +299,9 @@ constexpr OutputField inspection[] = {
     {"timestep.verdict", "", "certified: proven stable; violated: proven unstable; not-certified: neither", F::text},
     {"timestep.steps", "", "equal steps in it, each proven stable; null where no number is", F::integer, P::orNull},
     {"timestep.step", "s", "the length of each", F::number, P::sometimes},
-    {"critical_step.safe", "s", "proven: every step up to it is stable for the tangent of this state"},
+    {"critical_step.safe", "s",
+     "proven: every step up to it is stable for the tangent of this state; null where every step is", F::number,
+     P::orNull},
     {"critical_step.optimistic", "s", "proven: every larger step is unstable for it", F::number, P::orNull},
     {"critical_step.probable", "", "with --lanczos", F::object, P::sometimes},
     {"critical_step.probable.safe", "s", "stable but for the probability eta"},
@@ -315,6 +375,7 @@ constexpr OutputField inspection[] = {
     {"handler.elements[].index", "", "of it in its block, from 0", F::integer},
     {"handler.elements[].id", "", "its number in the mesh file", F::integer},
 };
+constexpr auto inspection = joined(inspectionAlone, reasons);
 
 constexpr OutputField comparison[] = {
     {"program", "", "ringwatch", F::text},
@@ -395,7 +456,7 @@ constexpr OutputField auditing[] = {
     {"history[].why", "", "why there is no bracket", F::text, P::sometimes},
 };
 
-constexpr OutputField suggestion[] = {
+constexpr OutputField suggestionAlone[] = {
     {"scene", "", "file of the scene", F::text},
     {"integrator", "", "its name", F::text},
     {"damped", "", "whether the bracket is that of a damped scene", F::boolean},
@@ -421,6 +482,7 @@ constexpr OutputField suggestion[] = {
     {"timestep.step", "s", "the length of each", F::number, P::sometimes},
     {"notes[]", "", "what these numbers do not cover", F::text},
 };
+constexpr auto suggestion = joined(suggestionAlone, reasons);
 
 constexpr OutputField massPlan[] = {
     {"scene", "", "file of the scene", F::text},

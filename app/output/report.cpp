@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <ringwatch/app/output/step_reasons.h>
 #include <ringwatch/app/scene/body_notes.h>
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/body/discrete_forces.h>
@@ -318,6 +319,7 @@ Json summaryJson(const Scene& scene, const Body& body, const RunResult& result) 
       {"watched_steps", result.watchedSteps},
       {"safe_seen", result.safeSeen ? Json{{"least", result.safeSeen->least}, {"largest", result.safeSeen->largest}}
                                     : Json(nullptr)},
+      {"why", result.why},
       {"exit_reason", std::string(exitReasonName(result.reason))},
       {"exit_text", result.reasonText},
       {"steps", result.steps},
@@ -359,7 +361,8 @@ std::string summaryText(const Scene& scene, const Body& body, const RunResult& r
   text += fmt::format("verdict {}", result.verdict());
   if (result.watchedSteps > 0)
     text += fmt::format(", certified at {} of {} steps", result.certifiedSteps, result.watchedSteps);
-  text += "\n" + governingText(scene, result) + discreteText(scene, body, result) + erosionText(scene, body, result);
+  text += "\n" + governingText(scene, result) + discreteText(scene, body, result) + erosionText(scene, body, result) +
+          reasonsText(result.why, "", "\n");
   if (result.handler) {
     text += fmt::format("handler {}: {} of {} elements", scene.handler, result.handler->elements,
                         body.mesh().elementCount());

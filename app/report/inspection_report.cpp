@@ -3,13 +3,12 @@
 #include <fmt/format.h>
 
 #include <ringwatch/app/output/frames.h>
+#include <ringwatch/app/output/step_reasons.h>
 #include <ringwatch/app/report/report_page.h>
 #include <ringwatch/app/report/state_frame.h>
 #include <ringwatch/base/atomic_file.h>
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/meshes/quality.h>
-#include <ringwatch/monitor/element_cause.h>
-#include <ringwatch/monitor/event.h>
 
 namespace ringwatch {
 namespace {
@@ -36,7 +35,6 @@ PageVerdict verdictOf(const Inspection& inspection, const std::optional<RunAnaly
   using Tone = PageVerdict::Tone;
   PageVerdict verdict;
   const CriticalStep& step = inspection.step;
-  const ElementCause cause = elementCause(inspection.body, inspection.x, step.controlling);
   const std::optional<double> asked = inspection.asked;
   verdict.title = fmt::format("Stable up to {} s", stepRoundedDown(step.safe));
   verdict.tone = Tone::good;
@@ -50,9 +48,9 @@ PageVerdict verdictOf(const Inspection& inspection, const std::optional<RunAnaly
     verdict.title = "No step is proven", verdict.tone = Tone::unsure;
   verdict.sentence = fmt::format(
       "The critical step of the mesh {} lies between {} s, up to which it is proven stable, and {} s, above which "
-      "it is proven unstable. In the way is {}: {}.",
+      "it is proven unstable.{}",
       inspection.state, stepRoundedDown(step.safe), stepRoundedUp(step.optimistic),
-      elementText(inspection.body.mesh(), step.controlling), causeText(cause));
+      reasonsText(inspection.json["why"], " ", ""));
   if (step.lowestRing < 0)
     verdict.sentence +=
         " The tangent has a negative eigenvalue there: no step cures that, the state itself is unstable.";
@@ -67,9 +65,6 @@ PageVerdict verdictOf(const Inspection& inspection, const std::optional<RunAnaly
     more = row && !row->way.all.empty() ? remediesFor(*row, *analysis) : largerSteps(*analysis);
   }
   verdict.remedies.insert(verdict.remedies.end(), more.begin(), more.end());
-  if (more.empty() && cause.badlyShaped())
-    verdict.remedies.push_back(fmt::format("Remesh there: {} alone keeps the step this small by its shape.",
-                                           elementText(inspection.body.mesh(), step.controlling)));
   return verdict;
 }
 

@@ -126,7 +126,7 @@ void addWhatIf(const AnalysedState& state, RunAnalysis& analysis) {
     row.proven = h <= safe;
     if (!row.proven) {
       row.way = elementsInTheWay(state.body, state.x, state.integrator, state.damping, h);
-      if (!row.way.badlyShaped.empty()) row.badNumbers = row.way.badNumbersText(state.body.mesh());
+      if (!row.way.badlyShaped.empty()) row.badNumbers = numbersText(row.way.badlyShaped, state.body.mesh());
       if (small ? h >= 1.5 * safe || h == state.taken : takenIsLarger ? h == *state.taken : h == 2 * safe)
         row.trials = tryHandlers(state, h, explicitCost);
     }
@@ -162,7 +162,7 @@ void countInTheWay(RunAnalysis& analysis, const Mesh& mesh, std::string name, co
           row.way.all.push_back({static_cast<std::int32_t>(b), static_cast<std::int32_t>(e)});
     row.shapesKnown = row.way.all.size() <= shapesUpTo;
     if (row.shapesKnown) row.way.addShapes(mesh);
-    if (!row.way.badlyShaped.empty()) row.badNumbers = row.way.badNumbersText(mesh);
+    if (!row.way.badlyShaped.empty()) row.badNumbers = numbersText(row.way.badlyShaped, mesh);
     analysis.whatIf.push_back(std::move(row));
   }
 }

@@ -39,7 +39,7 @@ struct WhatIf {
   bool proven = false;  // the step needs no handler, and no element is in its way
   ElementsInTheWay way;
   bool shapesKnown = true;           // else there were too many elements to look at their shapes
-  std::string badNumbers;            // ElementsInTheWay::badNumbersText
+  std::string badNumbers;            // numbersText of way.badlyShaped
   std::vector<HandlerTrial> trials;  // empty: none was tried at this step
 };
 

@@ -6,10 +6,10 @@
 
 #include <fmt/format.h>
 
+#include <ringwatch/app/output/step_reasons.h>
 #include <ringwatch/app/report/json_read.h>
 #include <ringwatch/app/scene/scene_features.h>
 #include <ringwatch/base/infinity.h>
-#include <ringwatch/meshes/quality.h>
 
 namespace ringwatch {
 namespace {
@@ -38,14 +38,6 @@ std::string elementAndCause(const Json& event) {
   if (text.empty()) return text;
   if (const std::string cause = textOf(event, "cause"); !cause.empty()) text += ": " + cause;
   return text;
-}
-
-/// The words for shapes that alone make a step small; see ElementCause::badlyShaped().
-bool isBadShape(const std::string& cause) {
-  return std::any_of(shapeNames.begin(), shapeNames.end(), [&](const auto& entry) {
-    return entry.value != ShapeClass::round && entry.value != ShapeClass::other &&
-           cause.find(entry.name) != std::string::npos;
-  });
 }
 
 std::string stepsText(const Json& summary) {
@@ -440,6 +432,7 @@ PageVerdict verdictOf(const Json& summary, const std::optional<RunHistory>& hist
   if (verdict.tone != Tone::bad) text += roomText(summary, history);
   if (discrete.is_object() && !contactGoverns) text += governedText(discrete);
   text += handlerText(summary);
+  if (const Json* why = objectIn(summary, "why")) text += reasonsText(*why, " ", "");
 
   const std::optional<double> before = violated ? numberOf(*violated, "time") : std::nullopt;
   const double taken = numberOf(summary, "largest_step").value_or(0);
@@ -448,9 +441,6 @@ PageVerdict verdictOf(const Json& summary, const std::optional<RunHistory>& hist
     if (contactGoverns) advise(verdict, softerContact(discrete, taken));
     adviseSmallerStep(verdict, summary, history, before, analysis);
     if (!contactGoverns) adviseHandler(verdict, summary, analysis);
-    // What is to be remeshed is named with what is in the way, where that is known.
-    if (violated && !contactGoverns && isBadShape(textOf(*violated, "cause")) && !(analysis && analysis->inTheWay()))
-      verdict.remedies.push_back(fmt::format("Mend the mesh there: {}.", elementAndCause(*violated)));
     if (inverted)
       verdict.remedies.emplace_back(
           "An inverted element is a state that no smaller step mends from there on: look at what happened before it.");

@@ -6,7 +6,9 @@
 
 #include <fmt/format.h>
 
+#include <ringwatch/app/command/integrator_catalog.h>
 #include <ringwatch/app/output/report.h>
+#include <ringwatch/app/output/step_reasons.h>
 #include <ringwatch/body/discrete_forces.h>
 
 namespace ringwatch {
@@ -57,6 +59,16 @@ void RunRecorder::recordDiscrete(const MonitorReport& report, const Body& body, 
   if (!report.fresh || !report.bracket || !(report.bracket->discreteShare > 0.5)) return;
   ++discrete.governed;
   if (!discrete.leastSafe || report.bracket->safe < *discrete.leastSafe) discrete.leastSafe = report.bracket->safe;
+}
+
+void RunRecorder::recordReasons(const MonitorReport& report, const Body& body, NodeVectorsView x,
+                                const StepRule& rule) {
+  if (!report.fresh || !report.bracket || result_.violatedStepTaken || !scene_.handler.empty()) return;
+  if (!result_.why.is_null() && report.bracket->safe >= result_.why["safe"].get<double>()) return;
+  result_.why = stepReasons(body, x, rule, *integratorCatalog().find(scene_.method), *report.bracket);
+  if (result_.why.is_null()) return;
+  result_.why["step"] = report.step;
+  result_.why["time"] = report.time;
 }
 
 void RunRecorder::countSteps(std::int64_t taken, double h) {

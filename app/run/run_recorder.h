@@ -19,6 +19,8 @@ class RunRecorder {
   void record(const MonitorReport& report, const Mesh& mesh);
   /// What springs and contact are like at the state x of a report, where there are any.
   void recordDiscrete(const MonitorReport& report, const Body& body, NodeVectorsView x);
+  /// Why the step is small at the state x of a report, where it is the least so far.
+  void recordReasons(const MonitorReport& report, const Body& body, NodeVectorsView x, const StepRule& rule);
   /// The events alone, where no step is taken.
   void recordEvents(const MonitorReport& report, const Mesh& mesh);
   /// Steps of h (s) that were taken.

@@ -116,9 +116,12 @@ struct RunResult {
   struct Range {
     double least, largest;
   };
-  std::optional<Range> safeSeen;        // s, the safe sides of the brackets of states from which a step was taken
-  bool requireCertified = false;        // the scene's monitor.require_certified
-  bool proving = true;                  // the scene's monitor is to prove steps
+  std::optional<Range> safeSeen;  // s, the safe sides of the brackets of states from which a step was taken
+  bool requireCertified = false;  // the scene's monitor.require_certified
+  bool proving = true;            // the scene's monitor is to prove steps
+  /// Of the least safe side of a state from which a step was taken, before one that was proven unstable: stepReasons()
+  /// with its step and time, completed at the end of the run; null for none, and with a handler.
+  nlohmann::ordered_json why = nullptr;
   std::optional<Moment> firstViolated;  // the monitor first said violated
   std::optional<Moment> runaway;        // energy became more than was put in, by more than runawayShare, for good
   std::vector<RunEvent> events;

@@ -129,6 +129,7 @@ Json savedResult(const RunResult& result) {
           {"first_observation_steps", result.firstObservationSteps},
           {"safe_seen", result.safeSeen ? Json{result.safeSeen->least, result.safeSeen->largest} : Json(nullptr)},
           {"first_violated", momentJson(result.firstViolated)},
+          {"why", result.why},
           {"events", std::move(events)},
           {"governing", std::move(governing)},
           {"discrete", discreteJson(result.discrete)},
@@ -152,6 +153,7 @@ void resumeResult(const Json& saved, const Scene& scene, std::size_t nodes, RunR
     result.safeSeen = {seen.at(0).get<double>(), seen.at(1).get<double>()};
   if (const Json& moment = saved.at("first_violated"); !moment.is_null())
     result.firstViolated = {moment.at(0).get<std::int64_t>(), moment.at(1).get<double>()};
+  result.why = saved.at("why");
   result.events.clear();
   for (const Json& event : saved.at("events")) result.events.push_back(eventOf(event));
   if (const Json& governing = saved.at("governing"); !governing.is_null()) {

@@ -48,26 +48,44 @@ void addModes(const Body& body, std::vector<std::string>& notes) {
 
 /// Speeds of pressure waves, m/s, that solids have: rubber is not below, diamond, which no structure is of, above.
 constexpr double slowestOfSolids = 10, fastestOfSolids = 12'000;
-/// Gels and foams are slower, and lighter than this, kg/m³.
-constexpr double densestOfSlow = 2000;
-constexpr double thousand = 1000;  // mm in a m, Pa in a kPa
+/// Gels and foams are slower, and lighter than this, kg/m³; metals and stone are denser, and faster than lead, m/s.
+constexpr double densestOfSlow = 2000, slowestOfDense = 1000;
+/// The densest metals, kg/m³.
+constexpr double densest = 25'000;
+/// What is larger, m, is rarely meshed in metres.
+constexpr double largestOfBodies = 100;
+
+/// Units that do not belong together: what density and wave speed are times as large in m, kg and s.
+struct MixedUnits {
+  double density, speed;
+  std::string_view hint;  // with the speed, m/s
+};
+constexpr MixedUnits mixedUnits[] = {
+    {1e12, 1e-3,
+     "in mm, t and s it is one of {:.4g} m/s: read m as mm, kg as t, Pa as MPa, J as mJ, and give all of the scene in "
+     "these"},
+    {1, 1e3, "with a modulus in MPa beside m, kg and s it would be one of {:.4g} m/s; give the modulus in Pa"},
+    {1, 31622.8, "with a modulus in GPa beside m, kg and s it would be one of {:.4g} m/s; give the modulus in Pa"},
+    {1e3, 0.0316228, "with a density in g/cm3 it would be one of {:.4g} m/s; give it in kg/m3"},
+    {1e12, 1e-6, "with a density in t/mm3 beside Pa it would be one of {:.4g} m/s; give it in kg/m3"},
+};
+
+bool isOfSolids(double speed, double density) {
+  return speed >= (density > densestOfSlow ? slowestOfDense : slowestOfSolids) && speed <= fastestOfSolids &&
+         density <= densest;
+}
 
 void addUnits(const Body& body, std::vector<std::string>& notes) {
-  const auto isOfSolids = [](double speed) { return speed >= slowestOfSolids && speed <= fastestOfSolids; };
   for (const auto& block : body.blocks()) {
     const double speed = block->material().waveSpeed(), density = block->material().density;
-    if (isOfSolids(speed) || (speed < slowestOfSolids && density < densestOfSlow)) continue;
-    notes.push_back(fmt::format(
-        "a wave speed of {:.4g} m/s is none of a solid; {}", speed,
-        speed > fastestOfSolids && isOfSolids(speed / thousand)
-            ? fmt::format("in mm, t and s it is one of {:.4g} m/s: read m as mm, kg as t, Pa as MPa, J as mJ, and give "
-                          "all of the scene in these",
-                          speed / thousand)
-        : isOfSolids(speed * thousand)
-            ? fmt::format(
-                  "with a modulus in MPa beside m, kg and s it would be one of {:.4g} m/s; give the modulus in Pa",
-                  speed * thousand)
-            : "are modulus and density in consistent units?"));
+    if (isOfSolids(speed, 0) || (speed < slowestOfSolids && density < densestOfSlow)) continue;
+    const auto* mixed = std::ranges::find_if(mixedUnits, [&](const MixedUnits& units) {
+      return isOfSolids(speed * units.speed, density * units.density);
+    });
+    notes.push_back(fmt::format("a wave speed of {:.4g} m/s is none of a solid; {}", speed,
+                                mixed == std::end(mixedUnits)
+                                    ? "are modulus and density in consistent units?"
+                                    : fmt::format(fmt::runtime(mixed->hint), speed * mixed->speed)));
     return;
   }
 }
@@ -101,7 +119,12 @@ bool isHeld(const Body& body) {
   return body.constraints().any() || !body.constraints().rigidBodies().empty() || body.discreteForces();
 }
 
-std::vector<std::string> bodyNotes(const Body& body) { return bodyNotes(body, isHeld(body)); }
+std::vector<std::string> bodyNotes(const Body& body) {
+  std::vector<std::string> notes = bodyNotes(body, isHeld(body));
+  if (const double size = bodyFigures(body).size.maxCoeff(); size > largestOfBodies)
+    notes.push_back(fmt::format("the body is {:.4g} m long; of a mesh in mm the critical step is a thousandth", size));
+  return notes;
+}
 
 std::vector<std::string> bodyNotes(const Body& body, bool held) {
   std::vector<std::string> notes;

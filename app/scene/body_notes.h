@@ -20,9 +20,9 @@ struct BodyFigures {
 BodyFigures bodyFigures(const Body& body);
 
 /// What a user may not have meant, one sentence each: elements with modes that nothing resists, a body that nothing
-/// holds, and a wave speed that no solid has.
+/// holds, and a wave speed that no solid has, with the units that would explain it.
 std::vector<std::string> bodyNotes(const Body& body, bool held);
-/// The same of a body as a whole.
+/// The same of a body as a whole, and whether it is so large that its mesh may be in mm.
 std::vector<std::string> bodyNotes(const Body& body);
 /// Whether supports, springs or contact may keep a body from flying off.
 bool isHeld(const Body& body);

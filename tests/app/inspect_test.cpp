@@ -172,6 +172,14 @@ TEST_F(Program, InspectTellsOfUnitsAndOfABodyThatNothingHolds) {
               HasSubstr("a wave speed of 6.001e+06 m/s is none of a solid; in mm, t and s it is one of 6001 m/s"));
   EXPECT_THAT(inspect("0.2 0.1 0.05", "--young 2.1e5 --density 7850 --fix \"x < 1e-6\""),
               HasSubstr("a wave speed of 6.001 m/s is none of a solid; with a modulus in MPa"));
+  EXPECT_THAT(inspect("0.2 0.1 0.05", "--young 210 --density 7850 --fix \"x < 1e-6\""),
+              HasSubstr("with a modulus in GPa beside m, kg and s it would be one of 6001 m/s"));
+  EXPECT_THAT(inspect("0.2 0.1 0.05", "--young 2.1e11 --density 7.85 --fix \"x < 1e-6\""),
+              HasSubstr("with a density in g/cm3 it would be one of 6001 m/s"));
+  EXPECT_THAT(inspect("0.2 0.1 0.05", "--young 2.1e11 --density 7.85e-9 --fix \"x < 1e-6\""),
+              HasSubstr("with a density in t/mm3 beside Pa it would be one of 6001 m/s"));
+  EXPECT_THAT(inspect("200 100 50", "--young 2.1e11 --density 7850 --fix \"x < 1e-6\""),
+              HasSubstr("the body is 200 m long; of a mesh in mm the critical step is a thousandth"));
   const std::string gel = inspect("0.2 0.1 0.05", "--young 30e3 --density 1000");
   EXPECT_EQ(gel.find("none of a solid"), std::string::npos) << gel;
   EXPECT_THAT(gel, HasSubstr("note: nothing is held: the body can fly and turn as a whole"));

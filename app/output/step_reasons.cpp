@@ -1,0 +1,267 @@
+#include <ringwatch/app/output/step_reasons.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <ringwatch/app/command/elements_in_the_way.h>
+#include <ringwatch/app/output/report.h>
+#include <ringwatch/base/infinity.h>
+#include <ringwatch/body/discrete_forces.h>
+#include <ringwatch/monitor/element_cause.h>
+#include <ringwatch/monitor/metrics/wave_metrics.h>
+
+namespace ringwatch {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// What counts as making a step small, as a factor of the step or of the wave speed.
+constexpr double worthNaming = 1.25;
+/// Sides of a bracket that only contact which can begin puts so far apart.
+constexpr double openBracket = 1.5;
+/// Of the median element's own step: elements below are few in a mesh that is even.
+constexpr double smallShare = 0.5;
+/// Where none is below, one of so many that are the worst.
+constexpr std::size_t worstOf = 100;
+/// Elements of the largest body whose rings are evaluated for this alone, at some 20 µs each, and of the largest that
+/// gets a bracket of its own without those in the way, at up to 0.4 ms each.
+constexpr std::size_t mostRings = 20000, mostBracketed = 5000;
+constexpr std::string_view ringMetric = "reduced-1-ring";
+/// Gain of the step from which a remedy is worth a word.
+constexpr double worthDoing = 1.05;
+/// Poisson's ratio of most solids.
+constexpr double usualPoisson = 0.3;
+
+/// (λ + 2μ) / E.
+double wavesOverYoung(double poisson) { return (1 - poisson) / ((1 + poisson) * (1 - 2 * poisson)); }
+
+double slowestWave(const Body& body) {
+  double slowest = infinity;
+  for (const auto& block : body.blocks())
+    if (block->elementCount() > 0) slowest = std::min(slowest, block->material().waveSpeed());
+  return slowest;
+}
+
+/// An element and the step of its ring.
+struct OwnStep {
+  double step;  // s
+  ElementRef element;
+};
+
+/// Of the elements that have one, least first.
+std::vector<OwnStep> ownSteps(const MetricResult& metric, const StepRule& rule) {
+  std::vector<OwnStep> steps;
+  for (std::size_t b = 0; b < metric.elementLambda.size(); ++b)
+    for (std::size_t e = 0; e < metric.elementLambda[b].size(); ++e)
+      if (const double step = rule(metric.elementLambda[b][e]); step > 0 && std::isfinite(step))
+        steps.push_back({step, {static_cast<std::int32_t>(b), static_cast<std::int32_t>(e)}});
+  std::ranges::sort(steps, {}, [](const OwnStep& own) { return std::pair(own.step, own.element); });
+  return steps;
+}
+
+/// Mass that about gives elements of smaller own steps the step h (s): their nodes get as much more as the ring's
+/// eigenvalue is too large.
+Json massFor(const Body& body, const StepRule& rule, const MetricResult& ring, const std::vector<ElementRef>& small,
+             double h) {
+  const double allowed = rule.lambdaFor(h);
+  const std::vector<int> materials = materialOfBlocks(body.mesh());
+  std::map<std::int32_t, double> factors;
+  std::set<int> numbers;
+  for (const ElementRef e : small) {
+    if (!materials.empty()) numbers.insert(materials[e.block]);
+    for (const std::int32_t node : body.blocks()[e.block]->nodesOf(e.element)) {
+      double& factor = factors.try_emplace(node, 1).first->second;
+      factor = std::max(factor, ring.elementLambda[e.block][e.element] / allowed);
+    }
+  }
+  double added = 0;
+  for (const auto& [node, factor] : factors) added += (factor - 1) * body.lumpedMass()[node];
+  return Json{{"added", added}, {"share", added / body.totalMass()}, {"materials", numbers}};
+}
+
+/// A sentence on each fault.
+std::string faultText(StepFault fault, const Json& why) {
+  const auto number = [&](const char* key) { return why[key].get<double>(); };
+  switch (fault) {
+    case StepFault::penalty:
+      if (!(number("discrete_share") > 0.5))
+        return "Contact that can begin counts as if it touched already: a softer penalty gives a larger step.";
+      return fmt::format(
+          "Springs or contact hold {:.0f} % of the energy of the top mode: a softer penalty, or softer springs, give a "
+          "larger step.",
+          100 * number("discrete_share"));
+    case StepFault::damping:
+      return fmt::format("Damping takes {:.0f} % of the step: less of it gives up to {:.4g} s.",
+                         100 * number("damping_share"), number("safe") / (1 - number("damping_share")));
+    case StepFault::poisson:
+      return fmt::format("Poisson's ratio {:.4g} makes these waves {:.2g} times as fast as {} would.",
+                         number("poisson"), number("poisson_factor"), usualPoisson);
+    case StepFault::material:
+      return fmt::format("Its material has fast waves, those of another run at {:.4g} m/s.", number("slowest_wave"));
+    case StepFault::strain:
+    case StepFault::shape:
+    case StepFault::size:
+      break;  // said with the element
+  }
+  return {};
+}
+
+bool has(const Json& why, StepFault fault) {
+  return std::ranges::find(why["faults"], stepFaultNames.nameOf(fault)) != why["faults"].end();
+}
+
+/// What the element is like, beside the others.
+std::string elementSentence(const Json& why) {
+  std::string text = fmt::format("Its state: {}", why["cause"].get<std::string>());
+  if (!why["median_step"].is_null() && !why["own_step"].is_null())
+    text +=
+        fmt::format("; with its neighbours it allows {:.4g} s (the median element {:.2g} times as much)",
+                    why["own_step"].get<double>(), why["median_step"].get<double>() / why["own_step"].get<double>());
+  return text + ".";
+}
+
+std::vector<std::string> remedySentences(const Json& why) {
+  const Json& remesh = why["remesh"];
+  if (remesh.is_null()) {
+    if (why["median_step"].is_null() || has(why, StepFault::penalty)) return {};
+    return {
+        "No few elements are in the way: a larger step takes larger elements, slower waves or an implicit integrator."};
+  }
+  const auto few = remesh["elements"].get<std::size_t>(), all = why["elements"].get<std::size_t>();
+  const double share = static_cast<double>(few) / static_cast<double>(all), step = remesh["step"];
+  const std::string shapes = remesh["shapes"];
+  std::vector<std::string> sentences{
+      fmt::format("Remesh {} of {} elements ({}{}): without them {:.4g} s is {}, {:.3g} times as much.", few, all,
+                  shapes.empty() ? "" : shapes + "; ", remesh["numbers"].get<std::string>(), step,
+                  remesh["proven"] ? "proven" : "about what is left", step / why["safe"].get<double>())};
+  const Json &mass = why["mass"], &materials = mass["materials"];
+  std::string more = fmt::format("Or add some {:.2g} kg to them, {:.2g} % of the mass{} (ringwatch scale-mass)",
+                                 mass["added"].get<double>(), 100 * mass["share"].get<double>(),
+                                 materials.size() == 1 ? fmt::format(", in material {}", materials[0].get<int>()) : "");
+  if (!why["handler"].is_null())
+    more += fmt::format(", or take handler.method = \"{}\"{}", why["handler"].get<std::string>(),
+                        share <= fewInTheWay ? "; ringwatch advise measures what pays" : std::string(shareText(share)));
+  sentences.push_back(more + ".");
+  return sentences;
+}
+
+Json paragraph(const Json& why) {
+  const std::string where =
+      why.contains("step")
+          ? fmt::format(", at step {}, t = {:.6g} s", why["step"].get<std::int64_t>(), why["time"].get<double>())
+          : "";
+  const double height = why["height"], speed = why["wave_speed"];
+  Json text = Json::array();
+  text.push_back(fmt::format(
+      "Why {:.4g} s{}: pressure waves run at {:.4g} m/s and cross element {} ({}), {:.4g} m high, in {:.3g} s, a step "
+      "of {:.3g} s by rule of thumb.",
+      why["safe"].get<double>(), where, speed, why["element"]["id"].get<std::int64_t>(),
+      why["element"]["type"].get<std::string>(), height, height / speed, why["wave_step"].get<double>()));
+  text.push_back(elementSentence(why));
+  for (const auto& fault : stepFaultNames)
+    if (has(why, fault.value))
+      if (std::string sentence = faultText(fault.value, why); !sentence.empty()) text.push_back(std::move(sentence));
+  for (std::string& sentence : remedySentences(why)) text.push_back(std::move(sentence));
+  return text;
+}
+
+}  // namespace
+
+Json stepReasons(const Body& body, NodeVectorsView x, const StepRule& rule, const IntegratorInfo& integrator,
+                 const CriticalStep& step) {
+  if (!(step.safe > 0) || !std::isfinite(step.safe)) return nullptr;
+  const ElementRef element = step.controlling;
+  const ElementBlock& block = *body.blocks()[element.block];
+  const Material& material = block.material();
+  const double speed = material.waveSpeed(), slowest = slowestWave(body),
+               height = characteristicLength(block.element(), x, block.nodesOf(element.element),
+                                             CharacteristicLength::usual),
+               undamped = stepFor(rule.lambdaFor(step.safe), integrator.imaginaryLimit);
+  const Lame rest = material.restModuli();
+  const double poisson = 0.5 * rest.lambda / (rest.lambda + rest.mu),
+               faster = std::sqrt(wavesOverYoung(poisson) / wavesOverYoung(usualPoisson)),
+               damping = 1 - step.safe / undamped;
+  const ElementCause cause = elementCause(body, x, element);
+  Json faults = Json::array();
+  const auto blame = [&](StepFault fault, bool guilty) {
+    if (guilty) faults.push_back(std::string(stepFaultNames.nameOf(fault)));
+  };
+  blame(StepFault::penalty, step.discreteShare > 0.5 || (body.discreteForces() && body.discreteForces()->hasContact() &&
+                                                         step.optimistic > openBracket * step.safe));
+  blame(StepFault::damping, worthNaming * step.safe < undamped);
+  blame(StepFault::strain, !cause.finite || cause.leastDeterminant <= 0 ||
+                               std::max(cause.largestStretch, 1 / cause.leastStretch) >= worthNaming);
+  blame(StepFault::shape, cause.badlyShaped() && cause.shape.shape != ShapeClass::small);
+  blame(StepFault::poisson, faster > worthNaming);
+  blame(StepFault::material, speed > worthNaming * slowest);
+  return Json{{"safe", step.safe},
+              {"optimistic", numberOrNull(step.optimistic)},
+              {"element", elementJson(body.mesh(), element)},
+              {"cause", causeText(cause)},
+              {"height", height},
+              {"wave_speed", speed},
+              {"slowest_wave", slowest},
+              {"wave_step", rule(std::pow(2 * speed / height, 2))},
+              {"poisson", poisson},
+              {"poisson_factor", faster},
+              {"damping_share", damping},
+              {"discrete_share", step.discreteShare},
+              {"faults", std::move(faults)}};
+}
+
+void addRemedies(Json& why, const Body& body, NodeVectorsView x, const StepRule& rule, const IntegratorInfo& integrator,
+                 OfState state, const MetricResult* ring) {
+  if (why.is_null()) return;
+  const std::size_t elements = body.mesh().elementCount();
+  std::optional<MetricResult> own;
+  if (ring == nullptr && elements <= mostRings) ring = &own.emplace(evaluateMetric(ringMetric, body, x));
+  for (const char* key : {"own_step", "median_step", "remesh", "mass", "handler"}) why[key] = nullptr;
+  why["elements"] = elements;
+  const std::vector<OwnStep> steps = ring ? ownSteps(*ring, rule) : std::vector<OwnStep>();
+  if (!steps.empty()) {
+    const double median = steps[steps.size() / 2].step, least = smallShare * median;
+    const auto b = why["element"]["block"].get<std::size_t>(), e = why["element"]["index"].get<std::size_t>();
+    const bool there = b < ring->elementLambda.size() && e < ring->elementLambda[b].size();
+    why["median_step"] = median;
+    if (there) why["own_step"] = numberOrNull(rule(ring->elementLambda[b][e]));
+    if (!why["own_step"].is_null() && why["own_step"].get<double>() < least)
+      why["faults"].push_back(std::string(stepFaultNames.nameOf(StepFault::size)));
+    std::size_t few = 0;
+    while (few < steps.size() && steps[few].step < least) ++few;
+    if (few == 0) few = steps.size() / worstOf;
+    const double gain = few > 0 ? steps[few].step / steps.front().step : 1;
+    if (gain > worthDoing && !has(why, StepFault::penalty)) {
+      ElementsInTheWay small;
+      for (std::size_t i = 0; i < few; ++i) small.all.push_back(steps[i].element);
+      const bool taken = whyNoHandlers(body, integrator).empty(),
+                 proven = taken && state == OfState::bracket && elements <= mostBracketed;
+      const double step = proven ? safeWithout(body, x, rule, small.all) : gain * why["safe"].get<double>();
+      if (step > worthDoing * why["safe"].get<double>() && std::isfinite(step)) {
+        small.addShapes(body.mesh());
+        why["remesh"] = Json{{"elements", few},
+                             {"shapes", small.shapesText()},
+                             {"numbers", numbersText(small.all, body.mesh())},
+                             {"step", step},
+                             {"proven", proven}};
+        why["mass"] = massFor(body, rule, *ring, small.all, proven ? step : gain * steps.front().step);
+        if (taken) why["handler"] = "imex";
+      }
+    }
+  }
+  why["text"] = paragraph(why);
+}
+
+std::string reasonsText(const Json& why, std::string_view before, std::string_view after) {
+  std::string text;
+  if (why.is_object() && why.contains("text"))
+    for (const Json& line : why["text"]) text += fmt::format("{}{}{}", before, line.get<std::string>(), after);
+  return text;
+}
+
+}  // namespace ringwatch

@@ -1,0 +1,43 @@
+#pragma once
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include <ringwatch/body/body.h>
+#include <ringwatch/integrators/integrator.h>
+#include <ringwatch/monitor/critical_step.h>
+#include <ringwatch/monitor/metrics/metrics.h>
+
+namespace ringwatch {
+
+/// What can make a critical step small.
+enum class StepFault { penalty, damping, strain, shape, size, poisson, material };
+inline constexpr auto stepFaultNames = nameTable<StepFault>({
+    {StepFault::penalty, "penalty"},
+    {StepFault::damping, "damping"},
+    {StepFault::strain, "strain"},
+    {StepFault::shape, "shape"},
+    {StepFault::size, "size"},
+    {StepFault::poisson, "poisson"},
+    {StepFault::material, "material"},
+});
+
+/// What a bracket of a body at positions x (3×N, m) and its controlling element say of why the step is small: `why` of
+/// the JSON files, without remedies and text. rule: of the bracket; integrator: whose undamped limit damping is
+/// measured by. Null where every step is proven, or none.
+nlohmann::ordered_json stepReasons(const Body& body, NodeVectorsView x, const StepRule& rule,
+                                   const IntegratorInfo& integrator, const CriticalStep& step);
+
+/// Of which state positions are: that of the bracket, or another one of its body.
+enum class OfState { bracket, other };
+/// Completes what stepReasons() gave: what it would bring to remesh, to add mass or to take a handler, by the steps of
+/// the elements' reduced 1-rings at x, and the paragraph, a line an entry of `text`. ring: at x where it is known; else
+/// it is evaluated in bodies of up to 20 000 elements. Without the elements in the way a step is proven in the state of
+/// the bracket, for bodies of up to 5000 elements that take handlers, and else guessed by the rings.
+void addRemedies(nlohmann::ordered_json& why, const Body& body, NodeVectorsView x, const StepRule& rule,
+                 const IntegratorInfo& integrator, OfState state, const MetricResult* ring = nullptr);
+
+/// The paragraph, each of its lines between two texts; "" where there is none.
+std::string reasonsText(const nlohmann::ordered_json& why, std::string_view before, std::string_view after);
+
+}  // namespace ringwatch
