@@ -23,6 +23,9 @@ std::string whatHappened(const MonitorEvent& event) {
       return joinText("tangent indefinite, eigenvalue ", event.value, " rad2/s2: no step cures that");
     case EventKind::eroded:
       return joinText(event.value, event.value == 1 ? " element" : " elements", " eroded, the first");
+    case EventKind::repeated:
+      return joinText("repeated from here with h = ", event.value, " s, since h = ", event.h,
+                      " s is not certified at step ", event.end.value_or(event.step));
   }
   return {};
 }

@@ -18,8 +18,9 @@ namespace ringwatch {
 /// when compression has doubled and there are means for them. With a compression above 0.05 it also evaluates
 /// 32 reduced 1-rings at each of these and after 10 evaluations, with a budget as many as there are means for. A mode
 /// that is far softer than the elements, as of a slender bar that buckles, can be missed; what is told is proven.
-/// eroded: elements have left the body. It is told by the run that takes them out, not by a monitor.
-enum class EventKind { violated, energyBalance, inverted, nonFinite, indefinite, eroded };
+/// eroded: elements have left the body. repeated: a run goes back to the state before this step, since a later one is
+/// not certified. These are told by the run itself, not by a monitor.
+enum class EventKind { violated, energyBalance, inverted, nonFinite, indefinite, eroded, repeated };
 inline constexpr auto eventNames = nameTable<EventKind>({
     {EventKind::violated, "violated"},
     {EventKind::energyBalance, "energy-balance"},
@@ -27,6 +28,7 @@ inline constexpr auto eventNames = nameTable<EventKind>({
     {EventKind::nonFinite, "non-finite"},
     {EventKind::indefinite, "indefinite"},
     {EventKind::eroded, "eroded"},
+    {EventKind::repeated, "repeated"},
 });
 constexpr std::string_view eventName(EventKind kind) { return eventNames.nameOf(kind); }
 
@@ -36,9 +38,10 @@ struct MonitorEvent {
   std::int64_t step = 0;
   double time = 0;  // s
   /// violated: h over the optimistic step; energyBalance: the balance error over the largest energy so far; inverted:
-  /// det F; indefinite: an eigenvalue, rad²/s²; eroded: how many elements; nonFinite: none.
+  /// det F; indefinite: an eigenvalue, rad²/s²; eroded: how many elements; repeated: the
+  /// step (s) from there on; nonFinite: none.
   double value = 0;
-  double h = 0;                            // s, violated: the step that was asked about
+  double h = 0;                            // s, violated: the step that was asked about; repeated: that of before
   bool tangent = false;                    // nonFinite: of the tangent, at positions that are finite
   double discreteShare = 0;                // violated: CriticalStep::discreteShare
   bool handled = false;                    // a handler takes care of the element

@@ -45,7 +45,7 @@ void HistoryWriter::write(const HistoryRow& row) {
   if (row.verdict) line += verdictName(*row.verdict);
   line += ",";
   if (row.energies) line += fmt::format("{}", row.energies->dissipated);
-  line += fmt::format(",{}", row.erodedElements);
+  line += fmt::format(",{},{}", row.erodedElements, row.repeats);
   file_.write(line);
 }
 
@@ -77,6 +77,7 @@ std::vector<HistoryRow> readHistory(const std::filesystem::path& folder) {
     row.elementsRefreshed = std::strtoll(cells[10].c_str(), nullptr, 10);
     row.handledElements = std::strtoll(cells[11].c_str(), nullptr, 10);
     row.erodedElements = std::strtoll(cells[15].c_str(), nullptr, 10);
+    row.repeats = std::strtoll(cells[16].c_str(), nullptr, 10);
     if (!cells[12].empty()) row.metricStep = number(12);
     if (!cells[13].empty()) row.verdict = verdictNames.valueOf(path.string(), cells[13]);
   }

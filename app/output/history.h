@@ -19,6 +19,7 @@ struct HistoryRow {
   std::int64_t elementsRefreshed = 0;
   std::int64_t handledElements = 0;
   std::int64_t erodedElements = 0;
+  std::int64_t repeats = 0;
   std::optional<double> metricStep;  // s
   std::optional<Verdict> verdict;
 };

@@ -84,6 +84,7 @@ constexpr OutputField columns[] = {
     {"verdict", "", "certified, not-certified or violated: the step against the bracket", F::text},
     {"dissipated_J", "J", "energy that damping took since the start, and that eroded elements had"},
     {"eroded_elements", "", "elements that have left the run so far", F::integer},
+    {"repeats", "", "how often the run has gone back so far", F::integer},
 };
 
 constexpr OutputField summaryAlone[] = {
@@ -195,6 +196,9 @@ constexpr OutputField summaryAlone[] = {
     {"erosion.elements[].value", "", "least det F, its own step in s, or that measure; null where it is no number",
      F::number, P::orNull},
     {"erosion.elements[].strain", "J", "its strain energy; null where it is no number", F::number, P::orNull},
+    {"repeats", "", "null unless monitor.on_violation is repeat", F::object, P::orNull},
+    {"repeats.count", "", "how often the run went back to a certified state", F::integer},
+    {"repeats.dropped_steps", "", "steps that were taken and dropped by it; steps does not count them", F::integer},
     {"probes[].column", "", "a column of probes.csv, behind step and time_s", F::text},
     {"probes[].unit", "", "of its numbers", F::text},
     {"probes[].help", "", "what it holds", F::text},

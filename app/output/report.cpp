@@ -327,6 +327,9 @@ Json summaryJson(const Scene& scene, const Body& body, const RunResult& result) 
       {"handler", handlerJson(scene, result)},
       {"cuts", cutsJson(result)},
       {"erosion", erosionJson(scene, result)},
+      {"repeats", result.repeats
+                      ? Json{{"count", result.repeats->count}, {"dropped_steps", result.repeats->droppedSteps}}
+                      : Json(nullptr)},
       {"probes", probesJson(result)},
       {"discrete_forces", discreteJson(scene, body, result)},
       {"smallest_step", result.smallestStep},
@@ -361,6 +364,9 @@ std::string summaryText(const Scene& scene, const Body& body, const RunResult& r
   text += fmt::format("verdict {}", result.verdict());
   if (result.watchedSteps > 0)
     text += fmt::format(", certified at {} of {} steps", result.certifiedSteps, result.watchedSteps);
+  if (result.repeats && result.repeats->count > 0)
+    text += fmt::format(", after going back {} time{}, by {} steps", result.repeats->count,
+                        result.repeats->count == 1 ? "" : "s", result.repeats->droppedSteps);
   text += "\n" + governingText(scene, result) + discreteText(scene, body, result) + erosionText(scene, body, result) +
           reasonsText(result.why, "", "\n");
   if (result.handler) {

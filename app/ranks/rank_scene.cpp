@@ -37,6 +37,7 @@ void requireDistributable(const Scene& scene) {
   refuse(!scene.proves(), key("monitor.mode"), "runs without a bracket are");
   refuse(!scene.metric.empty(), key("monitor.metric"), "metrics are");
   refuse(scene.budget.has_value(), key("monitor.budget"), "a budget of the monitor is");
+  refuse(scene.onViolation == OnViolation::repeat, key("monitor.on_violation"), "\"repeat\" is");
   refuse(scene.certificates.has_value(), key("monitor.certificates"), "files of proofs are");
   if (!scene.probes.empty()) refuse(true, scene.probes.front().origin, "probes are");
   refuse(scene.reactions, key("output.reactions"), "reactions are");

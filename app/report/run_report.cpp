@@ -48,7 +48,8 @@ std::string labelOf(const std::string& kind) {
       {"inverted", "an element is inverted"},
       {"non-finite", "the state is no longer finite"},
       {"indefinite", "the tangent has a negative eigenvalue"},
-      {"eroded", "elements left the run"}};
+      {"eroded", "elements left the run"},
+      {"repeated", "the run went back"}};
   const auto found = labels.find(kind);
   return found == labels.end() ? kind : found->second;
 }

@@ -47,7 +47,7 @@ void RunCheckpoints::writeAsItIs() {
     const Stopwatch measured(run_.result.outputTime);
     Checkpoint checkpoint = saved();
     SavingArchive archive;
-    archiveRun(archive);
+    run_.archive(archive);
     checkpoint.memory = archive.take();
     bytes = writeCheckpoint(run_.options.folder, checkpoint);
   } catch (const InputError& fault) {  // the disk is full: what there was stays
@@ -59,12 +59,6 @@ void RunCheckpoints::writeAsItIs() {
   told_ = fmt::format("step {}, t = {:.6g} s: checkpoint of {:.3g} MB written to {} in {:.2g} s", run_.result.steps,
                       run_.state.time, 1e-6 * static_cast<double>(bytes),
                       (run_.options.folder / checkpointFile).string(), seconds);
-}
-
-template <class Archive>
-void RunCheckpoints::archiveRun(Archive& a) {
-  a(run_.state.a, run_.state.lag, run_.energies, run_.loads, run_.watch, run_.output->certificates());
-  if (ElementDamping* damping = run_.body.elementDamping()) a(*damping);
 }
 
 std::string RunCheckpoints::whyNone() const {
@@ -85,6 +79,7 @@ Checkpoint RunCheckpoints::saved() {
   saved.state.time = run_.state.time;
   saved.state.x = run_.state.x;
   saved.state.v = run_.state.v;
+  run_.output->sync();
   saved.parts = {{"result", savedResult(run_.result)}, {"energies", run_.energies.save()},
                  {"steps", run_.steps.save()},         {"watch", run_.watch.save()},
                  {"output", run_.output->save()},      {"moved", prescribedVelocities(run_.body.constraints())},
@@ -129,7 +124,7 @@ void RunCheckpoints::resumeParts(const Checkpoint& saved) {
   run_.loads.setForces(run_.state.time, run_.state.x);
   if (saved.memory.empty()) return;
   LoadingArchive archive(saved.memory);
-  archiveRun(archive);
+  run_.archive(archive);
   archive.end();
 }
 

@@ -35,9 +35,6 @@ class RunCheckpoints {
   std::string whyNone() const;
   /// What both kinds of checkpoints hold.
   Checkpoint saved();
-  /// What the parts know beyond that.
-  template <class Archive>
-  void archiveRun(Archive& a);
   void resumeParts(const Checkpoint& saved);
   void goOn();
 

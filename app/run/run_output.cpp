@@ -84,9 +84,26 @@ void RunOutput::resume(const nlohmann::ordered_json& saved, std::int64_t step) {
   certificates_->begin(step);
 }
 
-nlohmann::ordered_json RunOutput::save() {
+void RunOutput::goBack(const nlohmann::ordered_json& saved, std::int64_t step) {
+  picture_ = {};
+  pictured_ = false;
+  if (!saved.is_null()) return resume(saved, step);
+  history_.reset();
+  probes_.reset();
+  frames_.reset();
+  nextFrame_ = 0;
+  framesDue_ = 0;
+  lastFrame_ = -1;
+  open_ = false;
+}
+
+void RunOutput::sync() {
   history_->sync();
   if (probes_) probes_->sync();
+}
+
+nlohmann::ordered_json RunOutput::save() {
+  if (!open_) return nullptr;
   return {{"history", history_->bytes()},
           {"probes", probes_ ? probes_->bytes() : 0},
           {"frames", frames_ ? frames_->times() : std::vector<double>()},

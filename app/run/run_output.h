@@ -38,8 +38,12 @@ class RunOutput {
   void probesBegin(std::string heading) { probesHeading_ = std::move(heading); }
   /// Goes on behind what was there at a checkpoint before that step; call it in place of open().
   void resume(const nlohmann::ordered_json& saved, std::int64_t step);
-  /// What resume() needs; call it at a state where all rows and frames before it are written.
+  /// What resume() needs; call it at a state where all rows and frames before it are written. Null before open().
   nlohmann::ordered_json save();
+  /// Puts what is written onto the disk, where a machine that fails leaves it.
+  void sync();
+  /// Drops what was written behind a save() before that step, and goes on from there.
+  void goBack(const nlohmann::ordered_json& saved, std::int64_t step);
   void writeRow(const HistoryRow& row);
   /// A row of probes.csv.
   void writeProbes(const std::string& row) { probes_->write(row); }

@@ -129,6 +129,11 @@ struct RunResult {
   std::vector<CutRecord> cuts;
   std::vector<ErodedElement> eroded;
   std::vector<ProbeColumn> probes;
+  /// How often the run went back, and the steps that were dropped by it, where the scene wants that.
+  struct Repeats {
+    std::int64_t count = 0, droppedSteps = 0;
+  };
+  std::optional<Repeats> repeats;
   /// Which materials hold the elements that control the bracket, where the scene has several.
   struct Governing {
     std::vector<std::int64_t> observations;  // by material, of which the controlling element was of it

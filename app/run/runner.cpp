@@ -13,6 +13,7 @@
 #include <ringwatch/app/run/run_erosion.h>
 #include <ringwatch/app/run/run_forecast.h>
 #include <ringwatch/app/run/run_listener.h>
+#include <ringwatch/app/run/run_repeats.h>
 #include <ringwatch/app/run/simulation.h>
 #include <ringwatch/app/run/stopwatch.h>
 #include <ringwatch/app/scene/scene_state.h>
@@ -25,7 +26,12 @@ namespace {
 class Runner {
  public:
   Runner(const Scene& scene, Body& body, const RunOptions& options)
-      : run_(scene, body, options), cuts_(run_), erosion_(run_), checkpoints_(run_), progress_(options.progress) {}
+      : run_(scene, body, options),
+        cuts_(run_),
+        erosion_(run_),
+        checkpoints_(run_),
+        repeats_(run_),
+        progress_(options.progress) {}
 
   RunResult go() {
     begin();
@@ -78,19 +84,24 @@ class Runner {
       if (run_.steps.step() > 0 && run_.state.time >= run_.scene.end - 1e-3 * run_.steps.step())
         return run_.end(ExitReason::end, "end time reached");
       if (run_.options.interrupt && run_.options.interrupt->load()) {
+        repeats_.returnToCertified();
         checkpoints_.writeAsItIs();
-        return run_.end(ExitReason::interrupted, fmt::format("interrupted before step {}", k));
+        return run_.end(ExitReason::interrupted, fmt::format("interrupted before step {}", run_.result.steps));
       }
       if (run_.options.checkpoint && run_.options.checkpoint->exchange(false)) {
+        const bool wentBack = repeats_.returnToCertified();
         checkpoints_.writeAsItIs();
         progress_.tell(checkpoints_.whatCame(), !checkpoints_.isOfNow());
+        if (wentBack) continue;
       }
       cuts_.makeThoseDue();
       if (!erosion_.makeDue(k)) return;
       if (checkpoints_.due()) checkpoints_.write();
 
+      repeats_.keep();
       const bool rowDue = k % run_.scene.historyEvery == 0;
       MonitorReport report = run_.observe(k, rowDue);
+      if (repeats_.goBack(report)) continue;
       if (!run_.acceptState(report) || !run_.chooseStep(report)) return run_.recordEvents(report);
       run_.checkEnergies(k);
       run_.record(report, rowDue);
@@ -152,6 +163,7 @@ class Runner {
   RunCuts cuts_;
   RunErosion erosion_;
   RunCheckpoints checkpoints_;
+  RunRepeats repeats_;
   ProgressLine progress_;
   RunForecast forecast_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();

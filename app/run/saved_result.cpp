@@ -130,6 +130,7 @@ Json savedResult(const RunResult& result) {
           {"safe_seen", result.safeSeen ? Json{result.safeSeen->least, result.safeSeen->largest} : Json(nullptr)},
           {"first_violated", momentJson(result.firstViolated)},
           {"why", result.why},
+          {"repeats", result.repeats ? Json{result.repeats->count, result.repeats->droppedSteps} : Json(nullptr)},
           {"events", std::move(events)},
           {"governing", std::move(governing)},
           {"discrete", discreteJson(result.discrete)},
@@ -154,6 +155,8 @@ void resumeResult(const Json& saved, const Scene& scene, std::size_t nodes, RunR
   if (const Json& moment = saved.at("first_violated"); !moment.is_null())
     result.firstViolated = {moment.at(0).get<std::int64_t>(), moment.at(1).get<double>()};
   result.why = saved.at("why");
+  if (const Json& repeats = saved.at("repeats"); !repeats.is_null())
+    result.repeats = {repeats.at(0).get<std::int64_t>(), repeats.at(1).get<std::int64_t>()};
   result.events.clear();
   for (const Json& event : saved.at("events")) result.events.push_back(eventOf(event));
   if (const Json& governing = saved.at("governing"); !governing.is_null()) {

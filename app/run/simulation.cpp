@@ -43,6 +43,7 @@ Simulation::Simulation(const Scene& s, Body& b, const RunOptions& o)
   result.requireCertified = scene.requireCertified;
   result.proving = scene.proves();
   if (body.discreteForces()) result.discrete = RunResult::Discrete{};
+  if (scene.onViolation == OnViolation::repeat) result.repeats = RunResult::Repeats{};
   for (std::string& note : notesOfBracket(scene, body)) result.notes.push_back(std::move(note));
   recorder.follow(body.mesh());
   if (!scene.handler.empty() && !scene.step) {
@@ -244,6 +245,7 @@ void Simulation::record(const MonitorReport& report, bool rowDue) {
     row.elementsRefreshed = watch.monitors() && report.fresh ? report.elementsRefreshed : 0;
     row.handledElements = scheme->treatedElements();
     row.erodedElements = static_cast<std::int64_t>(result.eroded.size());
+    row.repeats = result.repeats ? result.repeats->count : 0;
     row.metricStep = report.metricStep;
     if (watch.monitors()) row.verdict = report.verdict;
     output->writeRow(row);

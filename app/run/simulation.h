@@ -53,6 +53,12 @@ class Simulation {
   void end(ExitReason reason, std::string text);
   /// Watches the body, or what its handler leaves explicit, from here on.
   void beginWatch();
+  /// What the parts know beyond state and result. Loading needs the same body, and its watch begun.
+  template <class Archive>
+  void archive(Archive& a) {
+    a(state.a, state.lag, energies, loads, watch, output->certificates());
+    if (ElementDamping* damping = body.elementDamping()) a(*damping);
+  }
   /// The energies of the state, in a pass of their own.
   void recordEnergies();
   /// The bracket of the whole body, from scratch; empty where the state has none.

@@ -14,7 +14,8 @@ bool StepPolicy::collapsed(double h) const {
 }
 
 std::string StepPolicy::choose(MonitorReport& report, double time, const std::function<void(MonitorReport&)>& prove) {
-  const bool automatic = !scene_.step, reduce = scene_.onViolation == OnViolation::reduceStep;
+  const bool automatic = !scene_.step,
+             reduce = scene_.onViolation == OnViolation::reduceStep || scene_.onViolation == OnViolation::repeat;
   const bool tooLong = scene_.proves() ? report.verdict != Verdict::certified
                                        : report.metricStep.has_value() && !(h_ <= *report.metricStep);
   if (wanted_) {

@@ -19,7 +19,7 @@ class StepPolicy {
   /// "auto" begins with that step (s), for which a handler chooses its elements, and does not pass it: the step is
   /// shortened where the elements that are left explicit need it, and grows again when they allow clearly more.
   void beginWith(double wanted) { wanted_ = first_ = h_ = wanted; }
-  /// Sets the step to take at `time` by what a report says of the state, for "auto" and "reduce-step".
+  /// Sets the step to take at `time` by what a report says of the state, for "auto", "reduce-step" and "repeat".
   /// prove: gives the report a bracket of the state, from scratch. Returns why there is no step, "" where there is one.
   /// Throws InputError where "auto" begins with a step that is out of all proportion to the end.
   std::string choose(MonitorReport& report, double time, const std::function<void(MonitorReport&)>& prove);
@@ -33,6 +33,8 @@ class StepPolicy {
     h_ = saved.at("h").get<double>();
     first_ = saved.at("first").get<double>();
   }
+  /// Takes steps of h seconds from here on.
+  void take(double h) { h_ = h; }
   /// Takes half the step; false where it would collapse.
   bool halve();
 

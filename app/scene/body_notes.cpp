@@ -79,9 +79,8 @@ void addUnits(const Body& body, std::vector<std::string>& notes) {
   for (const auto& block : body.blocks()) {
     const double speed = block->material().waveSpeed(), density = block->material().density;
     if (isOfSolids(speed, 0) || (speed < slowestOfSolids && density < densestOfSlow)) continue;
-    const auto* mixed = std::ranges::find_if(mixedUnits, [&](const MixedUnits& units) {
-      return isOfSolids(speed * units.speed, density * units.density);
-    });
+    const auto* mixed = std::ranges::find_if(
+        mixedUnits, [&](const MixedUnits& units) { return isOfSolids(speed * units.speed, density * units.density); });
     notes.push_back(fmt::format("a wave speed of {:.4g} m/s is none of a solid; {}", speed,
                                 mixed == std::end(mixedUnits)
                                     ? "are modulus and density in consistent units?"

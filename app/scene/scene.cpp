@@ -197,6 +197,9 @@ void readIntegratorSection(const SceneTable& integrator, const SceneTable& monit
   if (scene.onViolation == OnViolation::reduceStep && !scene.monitored())
     fail(monitor.at("on_violation").origin, "monitor.on_violation",
          "\"reduce-step\" needs monitor.bracket = true or a monitor.metric");
+  scene.repeats = monitor.get<std::int64_t>("repeats");
+  if (monitor.given("repeats") && scene.onViolation != OnViolation::repeat)
+    fail(monitor.at("repeats").origin, "monitor.repeats", "is for on_violation = \"repeat\"; take it out");
   if (scene.monitored() && !(integratorCatalog().find(scene.method)->imaginaryLimit > 0))
     fail(integrator.at("method").origin, "integrator.method",
          fmt::format("\"{}\" is unstable at every step without damping, so there is no critical step to monitor; "
@@ -388,6 +391,21 @@ void checkTimedLoads(Scene& scene) {
     throw InputError(
         fmt::format("{}: \"cuda\": a GPU takes no {}; set it to \"cpu\"", scene.deviceOrigin, scene.timedBy));
   if (scene.device == RunDevice::automatic) scene.noDevice = fmt::format("a GPU takes no {}", scene.timedBy);
+}
+
+/// What a run that goes back does not go with.
+void checkRepeats(const SceneTable& monitor, Scene& scene) {
+  if (scene.onViolation != OnViolation::repeat) return;
+  const std::pair<bool, std::string> faults[] = {
+      {!scene.proves(), "goes back to certified states; it needs monitor.mode = \"bracket\" or \"threshold\""},
+      {!scene.step, "is for a step that is given; integrator.step = \"auto\" follows the safe one"},
+      {scene.checkpointInterval.has_value(),
+       "goes without checkpoints along the run; leave output.checkpoint_every out"},
+      // What has no checkpoints has no state to go back to.
+      {!scene.whyNoCheckpoints().empty(), fmt::format("has no state to go back to: {}", scene.whyNoCheckpoints())}};
+  for (const auto& [is, why] : faults)
+    if (is) fail(monitor.at("on_violation").origin, "monitor.on_violation", fmt::format("\"repeat\" {}", why));
+  if (scene.device == RunDevice::automatic) scene.noDevice = "a run on a GPU does not go back";
 }
 
 void readCheckpoints(const SceneTable& output, Scene& scene) {
@@ -701,6 +719,7 @@ Scene makeScene(const std::filesystem::path& file, const std::vector<SceneTable>
   if (scene.exactTimes && scene.device == RunDevice::automatic) scene.noDevice = "a GPU takes several steps at a time";
   readCheckpoints(output, scene);
   readErosion(section("erosion"), section("monitor"), scene);
+  checkRepeats(section("monitor"), scene);
   scene.fields = output.get<std::vector<std::string>>("fields");
   scene.historyEvery = output.get<std::int64_t>("history_every");
   readProbes(sections, output, scene);

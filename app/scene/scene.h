@@ -49,11 +49,12 @@ struct NodeSelection {
 };
 
 /// What a run does when the monitor no longer certifies its step.
-enum class OnViolation { stop, warn, reduceStep, handle };
+enum class OnViolation { stop, warn, reduceStep, repeat, handle };
 inline constexpr auto onViolationNames = nameTable<OnViolation>({
     {OnViolation::stop, "stop", "stop the run"},
     {OnViolation::warn, "warn", "go on"},
     {OnViolation::reduceStep, "reduce-step", "shorten the step as soon as it is no longer certified"},
+    {OnViolation::repeat, "repeat", "go back to the last certified state and take a smaller step from there"},
     {OnViolation::handle, "handle", "give the handler more elements"},
 });
 
@@ -244,7 +245,7 @@ struct Scene {
   std::string deviceOrigin;  // "scene.toml:9: integrator.device", for messages
   std::vector<int> devices;  // GPUs, by number; empty: all
   std::string noDevice;      // why this scene cannot run on a GPU; "" when it can
-  double safety = 0;         // share of the safe step that "auto" and "reduce-step" take
+  double safety = 0;         // share of the safe step that "auto", "reduce-step" and "repeat" take
 
   std::string metric;  // "" for none
   double margin = 0;
@@ -252,6 +253,7 @@ struct Scene {
   std::int64_t every = 1;
   std::optional<double> budget;  // MonitorOptions::budget; empty for the usual one
   OnViolation onViolation = OnViolation::stop;
+  std::int64_t repeats = 0;  // from one state, with OnViolation::repeat, before the run ends
   double energyTolerance = 0;
   bool requireCertified = false;             // a step that is not certified makes the run fail
   std::optional<std::int64_t> certificates;  // observations between files of proofs; empty for none

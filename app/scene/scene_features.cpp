@@ -113,7 +113,10 @@ std::pair<std::string_view, std::string> dampingRefusedBy(const HandlerInfo& han
 
 bool takesSomeHandler(const nlohmann::ordered_json& echo) {
   nlohmann::ordered_json scene = echo;
-  if (scene["monitor"].is_object()) scene["monitor"]["on_violation"] = "handle";
+  if (scene["monitor"].is_object()) {
+    scene["monitor"]["on_violation"] = "handle";
+    scene["monitor"].erase("repeats");  // of another on_violation
+  }
   return std::ranges::any_of(allHandlers(), [&](const HandlerEntry& entry) {
     scene["handler"] = {{"method", std::string(entry.info->name)}};
     try {

@@ -320,7 +320,7 @@ void addIntegrator(std::vector<SceneKey>& all) {
            .type = T::number,
            .fallback = "0.95",
            .range = factor,
-           .help = "share of the safe step that \"auto\" and on_violation = \"reduce-step\" take"},
+           .help = "share of the safe step that \"auto\" and on_violation = \"reduce-step\" or \"repeat\" take"},
       });
 }
 
@@ -408,6 +408,11 @@ void addMonitor(std::vector<SceneKey>& all) {
            .fallback = "\"stop\"",
            .choices = onViolationNames.names(),
            .help = onViolationNames.listing()},
+          {.key = "repeats",
+           .type = T::integer,
+           .fallback = "10",
+           .range = atLeastOne,
+           .help = "on_violation = \"repeat\": how often a run goes back to one state before it ends"},
           {.key = "energy_tolerance",
            .type = T::number,
            .fallback = "0.1",

@@ -63,6 +63,7 @@ TEST_F(Outputs, SummariesHaveTheKeysThatHelpExplains) {
                     "--set output.every=1 --quiet",
                     1),
           "", seen);
+  addKeys(summaryOf("tiny.toml --set monitor.on_violation=repeat", 0), "", seen);
   addKeys(summaryOf("'" RINGWATCH_EXAMPLES "/two_material_bar.toml' --set integrator.end=2e-3 --set "
                     "integrator.step=5e-4 --set monitor.on_violation=warn",
                     1),

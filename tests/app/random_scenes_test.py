@@ -104,7 +104,7 @@ class Drawn:
         if "damping" in self.features:
             self.add("damping", **self.one_of({"mass": 5.0}, {"stiffness": 1e-5}, {"bulk_viscosity": True}, {"mass": 2.0, "stiffness": 5e-6}))
         mode = self.one_of("threshold", "metric") if self.chance(0.3) else None
-        self.add("monitor", on_violation=self.one_of("stop", "warn", "reduce-step", "handle"), mode=mode,
+        self.add("monitor", on_violation=self.one_of("stop", "warn", "reduce-step", "repeat", "handle"), mode=mode,
                  metric="pressure-wave" if mode == "metric" else None, every=self.one_of(2, 7) if self.chance(0.3) else None,
                  budget=self.one_of(0.0, 0.1, 0.5) if self.chance(0.3) else None,
                  certificates=self.one_of(1, 5) if "certificates" in self.features else None)
@@ -168,6 +168,11 @@ class Drawn:
             self.fit_handler(integrator, monitor)
         elif monitor["on_violation"] == "handle":
             monitor["on_violation"] = "warn"
+        if monitor["on_violation"] == "repeat" and (integrator["step"] == "auto" or monitor.get("mode") == "metric"
+                                                    or "erosion" in self.tables or "cut" in self.tables):
+            monitor["on_violation"] = "reduce-step"
+        if monitor["on_violation"] == "repeat":
+            self.tables["output"][0].pop("checkpoint_every", None)
         if integrator["step"] == "auto":
             monitor.pop("mode", None)
             monitor.pop("metric", None)
@@ -222,7 +227,7 @@ class Drawn:
         for move in self.tables["move"]:
             move.pop("factor", None)
         self.tables["output"][0].pop("checkpoint_every", None)
-        if monitor["on_violation"] == "reduce-step":
+        if monitor["on_violation"] in ("reduce-step", "repeat"):
             monitor["on_violation"] = "warn"
         if monitor.get("mode") == "metric":
             monitor.pop("mode")

@@ -121,7 +121,7 @@ TEST_F(Report, ItsHistoryIsThatOfTheRunToTheLastBit) {
         EXPECT_EQ(values[i], std::stod(cell)) << column["name"] << " in row " << i;
     }
   }
-  EXPECT_EQ(columns, 14);
+  EXPECT_EQ(columns, 15);
   const auto controlling = arrayIn<std::int32_t>(html, history["controlling"]);
   for (std::size_t i = 0; i < controlling.size(); ++i)
     EXPECT_EQ(history["elements"][controlling[i]], csv.at(i, "controlling_element"));

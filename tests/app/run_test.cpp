@@ -47,10 +47,11 @@ TEST_F(Program, RunsASceneAndWritesWhatItPromises) {
   expectNothingHalfWritten("results");
 
   const Table history = table("results/history.csv");
-  EXPECT_EQ(history.columns, (std::vector<std::string>{
-                                 "step", "time_s", "h_s", "safe_s", "optimistic_s", "controlling_element", "kinetic_J",
-                                 "strain_J", "external_work_J", "balance_error_J", "elements_refreshed",
-                                 "handled_elements", "metric_step_s", "verdict", "dissipated_J", "eroded_elements"}));
+  EXPECT_EQ(history.columns,
+            (std::vector<std::string>{"step", "time_s", "h_s", "safe_s", "optimistic_s", "controlling_element",
+                                      "kinetic_J", "strain_J", "external_work_J", "balance_error_J",
+                                      "elements_refreshed", "handled_elements", "metric_step_s", "verdict",
+                                      "dissipated_J", "eroded_elements", "repeats"}));
   ASSERT_EQ(history.rows.size(), 50u);
   for (std::size_t i = 0; i < history.rows.size(); ++i) {
     EXPECT_EQ(history.rows[i].size(), history.columns.size());

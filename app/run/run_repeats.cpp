@@ -1,0 +1,90 @@
+#include <ringwatch/app/run/run_repeats.h>
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <ringwatch/app/output/report.h>
+#include <ringwatch/app/run/checkpoint.h>
+#include <ringwatch/base/archive.h>
+
+namespace ringwatch {
+
+void RunRepeats::keep() {
+  kept_.reset();
+  if (run_.scene.onViolation != OnViolation::repeat || run_.result.steps % run_.scene.every != 0) return;
+  SavingArchive archive;
+  run_.archive(archive);
+  kept_ = {run_.state,        run_.result,         archive.take(),
+           run_.steps.save(), run_.output->save(), prescribedVelocities(run_.body.constraints()),
+           run_.lastVerdict};
+}
+
+bool RunRepeats::goBack(const MonitorReport& report) {
+  if (run_.scene.onViolation != OnViolation::repeat || run_.result.reason != ExitReason::end) return false;
+  const bool finite = isFinite(run_.state, run_.body.threads());
+  if (finite && (!report.fresh || report.verdict == Verdict::certified)) {
+    if (!report.fresh || !kept_) return false;
+    if (!certified_ || certified_->result.steps != kept_->result.steps) fromThere_ = 0;
+    certified_ = std::exchange(kept_, std::nullopt);
+    return false;
+  }
+  // Before the first step, or with the certified one itself, there is nothing to drop.
+  if (!certified_ || certified_->result.steps == report.step) return false;
+  const std::int64_t from = certified_->result.steps;
+  if (fromThere_ == run_.scene.repeats) {
+    run_.end(
+        ExitReason::stepCollapsed,
+        fmt::format(
+            "went back to step {}, t = {:.6g} s, as often as monitor.repeats = {} allows, and with h = {:.6g} s it "
+            "is still not certified at step {}",
+            from, certified_->state.time, fromThere_, run_.steps.step(), report.step));
+    return false;
+  }
+  ++fromThere_;
+  MonitorEvent event{.kind = EventKind::repeated,
+                     .step = from,
+                     .time = certified_->state.time,
+                     .value = smallerStep(report),
+                     .h = run_.steps.step(),
+                     .end = report.step};
+  const RunResult::Repeats before = *run_.result.repeats;
+  restore(*certified_);
+  run_.steps.take(event.value);
+  run_.result.repeats = {before.count + 1, before.droppedSteps + report.step - from};
+  run_.result.events.push_back({event, nullptr, eventText(event, run_.body.mesh())});
+  return true;
+}
+
+bool RunRepeats::returnToCertified() {
+  if (!certified_ || certified_->result.steps == run_.result.steps) return false;
+  restore(*certified_);
+  return true;
+}
+
+/// The safe one where the report has a bracket; not less than half, since a state that went unstable says little of the
+/// one that it came from.
+double RunRepeats::smallerStep(const MonitorReport& report) const {
+  const double half = 0.5 * run_.steps.step();
+  return report.bracket ? std::max(half, run_.scene.safety * report.bracket->safe) : half;
+}
+
+void RunRepeats::restore(const Kept& kept) {
+  const RunResult now = std::exchange(run_.result, kept.result);
+  // What was computed in vain has taken its time.
+  run_.result.forceTime = now.forceTime;
+  run_.result.monitorTime = now.monitorTime;
+  run_.result.outputTime = now.outputTime;
+  run_.result.wallTime = now.wallTime;
+  run_.state = kept.state;
+  run_.steps.resume(kept.steps);
+  run_.lastVerdict = kept.lastVerdict;
+  resumeMotion(run_.body.constraints(), kept.moved);
+  LoadingArchive archive(kept.memory);
+  run_.archive(archive);
+  archive.end();
+  run_.output->goBack(kept.output, run_.result.steps);
+}
+
+}  // namespace ringwatch
