@@ -37,11 +37,12 @@ from ._ringwatch import (
 )
 from ._convert import mesh_from
 from ._device_monitor import DeviceMonitor
+from ._run import Audit, Comparison, RunResult, audit, compare, report, run
 from ._suggest import suggest
-from ._run import Comparison, RunResult, compare, report, run
 from ._verification import verify
 
 __all__ = [
+    "Audit",
     "Body",
     "Check",
     "Comparison",
@@ -64,6 +65,7 @@ __all__ = [
     "TangentBracket",
     "Verification",
     "__version__",
+    "audit",
     "compare",
     "generate_mesh",
     "inspect",

@@ -76,6 +76,30 @@ class Comparison(Result):
         return _plot.comparison(self.runs, self.title, against, ax)
 
 
+@dataclass(frozen=True, slots=True, repr=False)
+class Audit(Result):
+    """What the results of another program prove of its run: see `audit`."""
+
+    exit_status: int
+    """0 every step that is known is proven, 1 a step is proven unstable, an element inverted or a state lost, 3 some step
+    is not proven."""
+    largest_share: float
+    """The largest step used over the proven step of its state; NaN where the results tell no step."""
+    found: dict[str, Any]
+    """All that `ringwatch audit --json` writes."""
+
+    @property
+    def message(self) -> str:
+        """The audit in a line: "run.pvd: largest step used over proven step: 1.31, in state 4 of 12; …"."""
+        steps = self.found["steps"]
+        told = [f"{self.found['results']}: " + (
+            f"largest step used over proven step: {self.largest_share:.4g}, in state {steps['state']} of "
+            f"{self.found['states']}; {steps['proven_in_all']:.6g} s is proven in all of them" if steps
+            else "the results do not tell which step was taken; give step")]
+        told += [f"first {what} in state {first['state']}" for what, first in self.found["first"].items() if first]
+        return "; ".join(told)
+
+
 def run(
     scene: str | os.PathLike[str] | Mapping[str, Any],
     *,
@@ -135,6 +159,44 @@ def compare(
         runs[name] = np.array([math.nan if value is None else value for value in values])
     return Comparison(found["title"], float(found["end"]), float(found["reference_error"]), runs,
                       {error: best or {} for error, best in found["cheapest"].items()})
+
+
+def audit(
+    results: str | os.PathLike[str] | Sequence[str | os.PathLike[str]],
+    *,
+    scene: str | os.PathLike[str] | None = None,
+    step: float | None = None,
+    density: float | None = None,
+    model: str | None = None,
+    integrator: str | None = None,
+    limit: float | None = None,
+    displacement: str | None = None,
+    fix: Sequence[str] = (),
+    every: int = 1,
+    threads: int = 0,
+    **parameters: float,
+) -> Audit:
+    """Holds the steps of another program against what is proven of its states, as `ringwatch audit` does.
+
+    results: an .frd of CalculiX, a .pvd, or .vtu or .vtk files in their order. scene: a scene or a deck with materials and
+    supports; else density (kg/m³) and the parameters of the law `model`, such as young (Pa) and poisson. step: s, that was
+    taken; else by the results. integrator, limit: whose largest stable h omega counts. displacement: the field. fix: nodes
+    that are held. every: every so many states. Raises InputError with the line that the program prints.
+    """
+    files = [results] if isinstance(results, (str, os.PathLike)) else list(results)
+    command = ["audit", *map(str, files), "--json", "-", "--every", str(every), "--threads", str(threads)]
+    numbers = {"step": step, "density": density, "limit": limit, **parameters}
+    texts = {"scene": scene, "model": model, "integrator": integrator, "displacement": displacement}
+    for name, value in numbers.items():
+        command += [] if value is None else [f"--{name}", repr(float(value))]
+    for name, text in texts.items():
+        command += [] if text is None else [f"--{name}", str(text)]
+    command += [word for nodes in fix for word in ("--fix", nodes)]
+    status, told, complaint = _call(command)
+    if not told:
+        _refuse(status, complaint)
+    found = json.loads(told)
+    return Audit(status, float(found["steps"]["largest_share"]) if found["steps"] else math.nan, found)
 
 
 def report(folder: str | os.PathLike[str], *, out: str | os.PathLike[str] | None = None, frames: int | None = None) -> pathlib.Path:
