@@ -14,7 +14,7 @@ bool StepPolicy::collapsed(double h) const {
 }
 
 std::string StepPolicy::choose(MonitorReport& report, double time, const std::function<void(MonitorReport&)>& prove) {
-  const bool automatic = !scene_.step,
+  const bool automatic = !scene_.step && !(scene_.holdsStep && h_ > 0),
              reduce = scene_.onViolation == OnViolation::reduceStep || scene_.onViolation == OnViolation::repeat;
   const bool tooLong = scene_.proves() ? report.verdict != Verdict::certified
                                        : report.metricStep.has_value() && !(h_ <= *report.metricStep);

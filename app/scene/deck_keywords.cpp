@@ -40,7 +40,7 @@ constexpr DeckKeywordRule keywordRules[] = {
      "END"},
     {DeckRule::taken,
      "MATERIAL ELASTIC HYPERELASTIC DENSITY DAMPING BULKVISCOSITY FIXEDMASSSCALING VARIABLEMASSSCALING SECTIONCONTROLS "
-     "SOLIDSECTION MASS SPRING DASHPOT BOUNDARY INITIALCONDITIONS SURFACE CONTACT CONTACTINCLUSIONS "
+     "SOLIDSECTION MASS SPRING DASHPOT RIGIDBODY BOUNDARY INITIALCONDITIONS SURFACE CONTACT CONTACTINCLUSIONS "
      "CONTACTPROPERTYASSIGNMENT CONTACTPAIR SURFACEINTERACTION FRICTION SURFACEBEHAVIOR STEP ENDSTEP DYNAMIC"},
     {DeckRule::takenInRun, "AMPLITUDE CLOAD DLOAD DSLOAD"},
     {DeckRule::other, "HOURGLASSSTIFFNESS", hourglassHere},
@@ -116,9 +116,6 @@ constexpr DeckKeywordRule keywordRules[] = {
      "SHELLTOSOLIDCOUPLING EMBEDDEDELEMENT FASTENER FASTENERPROPERTY RELEASE CYCLICSYMMETRYMODEL PRE-TENSIONSECTION "
      "CONSTRAINTCONTROLS",
      noConstraint},
-    {DeckRule::refused, "RIGIDBODY",
-     "moves with a reference node, which has its loads and supports; [[rigid]] of a scene moves with its centre of "
-     "mass"},
     {DeckRule::refused, "TRANSFORM", "turns the axes of nodes"},
     {DeckRule::refused, "NCOPY ELCOPY NMAP SYMMETRICMODELGENERATION IMPERFECTION REFINEMESH", notWritten},
     {DeckRule::refused,
@@ -205,6 +202,16 @@ constexpr DeckParameterRule parameterRules[] = {
     {"SPRING", "NONLINEAR", "", DeckRule::refused, "springs here are linear"},
     {"DASHPOT", "ELSET", "", DeckRule::taken},
     {"DASHPOT", "NONLINEAR", "", DeckRule::refused, "dashpots here are linear"},
+    {"RIGIDBODY", "REFNODE", "", DeckRule::taken},
+    {"RIGIDBODY", "ROTNODE", "", DeckRule::taken},
+    {"RIGIDBODY", "ELSET", "", DeckRule::taken},
+    {"RIGIDBODY", "NSET", "", DeckRule::taken},
+    {"RIGIDBODY", "TIENSET", "", DeckRule::taken},
+    {"RIGIDBODY", "PINNSET", "", DeckRule::taken},  // a solid's nodes do not turn
+    {"RIGIDBODY", "ISOTHERMAL", "", DeckRule::taken},
+    {"RIGIDBODY", "POSITION", "INPUT", DeckRule::taken},
+    {"RIGIDBODY", "POSITION", "CENTEROFMASS", DeckRule::taken},
+    {"RIGIDBODY", "ANALYTICALSURFACE", "", DeckRule::refused, "has no elements; [[obstacle]] of a scene is one"},
     {"BOUNDARY", "AMPLITUDE", "", DeckRule::taken},
     {"BOUNDARY", "TYPE", "DISPLACEMENT", DeckRule::taken},
     {"BOUNDARY", "TYPE", "VELOCITY", DeckRule::taken},
@@ -249,8 +256,7 @@ constexpr DeckParameterRule parameterRules[] = {
     {"DYNAMIC", "ELEMENTBYELEMENT", "", DeckRule::harmless, ownEstimate},
     {"DYNAMIC", "GLOBAL", "", DeckRule::harmless, ownEstimate},
     {"DYNAMIC", "IMPROVEDDTMETHOD", "", DeckRule::harmless, ownEstimate},
-    {"DYNAMIC", "FIXEDTIMEINCREMENTATION", "", DeckRule::harmless,
-     "keeps the step that the program finds at the start, which no deck has; give integrator.step to keep one"},
+    {"DYNAMIC", "FIXEDTIMEINCREMENTATION", "", DeckRule::taken},
     {"DYNAMIC", "ADIABATIC", "", DeckRule::harmless, "heats by inelastic work, and elastic laws do none"},
     {"DYNAMIC", "ALPHA", "", DeckRule::harmless, "damps in an implicit scheme; the explicit one here does not"},
     {"DYNAMIC", "BETA", "", DeckRule::harmless, ofImplicit},

@@ -39,6 +39,8 @@ std::string withoutBlanks(std::string name) {
 struct DeckBoundary {
   std::string selection;       // a set, or "#12"
   std::string components;      // "xy"
+  std::string turns = {};      // about these axes, likewise; of what has rotations
+  std::string point = {};      // of one node: pointOf
   double value = 0;            // m, or m/s
   bool velocity = false;       // value is one
   std::string amplitude = {};  // upper case
@@ -129,6 +131,12 @@ struct DeckSection {
   std::string elset, part, instance, material;  // instance: the one that it stands in
   std::size_t position;
 };
+/// *RIGID BODY: it is held and moved at its reference node, which need not be of the mesh.
+struct DeckRigid {
+  DeckKeyword keyword;
+  std::string point, turning;  // pointOf the reference node, and of the one that has the rotations
+};
+constexpr const char* severalNodes = "several";
 /// *FIXED MASS SCALING by a factor.
 struct DeckScaling {
   std::string elset;  // "" for all
@@ -167,6 +175,7 @@ class DeckReader {
     scene_.origins["mesh"] = file_.string();
     writeMaterials();
     writeIntegrator();
+    writeRigids();
     writeBoundaries();
     writeInitials();
     writeLinks();
@@ -204,6 +213,7 @@ class DeckReader {
     bulkViscosity,
     sectionControls,
     structure,
+    nodeSet,
     link,
     property,
     interactions,
@@ -343,6 +353,7 @@ class DeckReader {
       part_.clear();
       instance_.clear();
     }
+    if (name == "NSET" && !keyword_.has("GENERATE") && !keyword_.has("ELSET")) reading_ = Reading::nodeSet;
     if (name == "ELEMENT") elementType(inUpperCase(keyword_.value("TYPE")));
   }
   /// What stands in a part without an instance is not in the model.
@@ -417,7 +428,7 @@ class DeckReader {
     if (ofMaterial && material == nullptr) return refuseHere(" stands before any *MATERIAL");
     if (!inStep_ && (name == "DYNAMIC" || name == "CLOAD" || name == "DLOAD" || name == "DSLOAD"))
       return refuseHere(" stands outside a step; it belongs between *STEP and *END STEP");
-    if (!part_.empty() && (name == "BOUNDARY" || name == "INITIALCONDITIONS"))
+    if (!part_.empty() && (name == "BOUNDARY" || name == "INITIALCONDITIONS" || name == "RIGIDBODY"))
       return refuseHere(" stands in a *PART or *INSTANCE; write it behind the assembly, for the set INSTANCE.SET");
     if (name == "MATERIAL") {
       if (keyword_.value("NAME").empty()) return refuseHere(" needs a name, NAME=");
@@ -464,6 +475,11 @@ class DeckReader {
       if (keyword_.value("ELSET").empty()) return refuseHere(" needs ELSET=");
       properties_.push_back({name, keyword_.value("ELSET"), part_, keyword_.position});
       reading_ = Reading::property;
+    } else if (name == "RIGIDBODY") {
+      if (!keyword_.has("REFNODE")) return refuseHere(" needs REF NODE=");
+      const std::string point = pointOf(keyword_.value("REFNODE"));
+      if (point.empty()) return refuseHere(": REF NODE must be a node, or a set of one node");
+      rigids_.push_back({keyword_, point, keyword_.has("ROTNODE") ? pointOf(keyword_.value("ROTNODE")) : point});
     } else if (name == "BOUNDARY") {
       if (!ofFirstStep()) return;
       if (inUpperCase(keyword_.value("OP")) == "NEW" && !boundaries_.empty())
@@ -574,7 +590,8 @@ class DeckReader {
       throw InputError(fmt::format("{}: mass scaling by DT does not go with {} ({}); leave one of them out",
                                    scene_.origins["handler"], what, where));
     };
-    if (fixesStep()) refuseWith("a fixed step", lines_.where(dynamic_->position));
+    if (fixesStep() || isOn(*dynamic_, "FIXEDTIMEINCREMENTATION"))
+      refuseWith("a fixed step", lines_.where(dynamic_->position));
     if (viscosityAt_) refuseWith("*BULK VISCOSITY", lines_.where(*viscosityAt_));
     struct Other {
       const char *section, *key, *what;  // key: only with it; nullptr: always
@@ -640,6 +657,8 @@ class DeckReader {
         if (!continued_) ++structures_.back().count;
         continued_ = line.text.back() == ',';
         return;
+      case Reading::nodeSet:
+        return nodeSet(words);
       case Reading::link:
         if (words.size() != linkType_->nodes + 1)
           lines_.failAt(line.position,
@@ -792,17 +811,51 @@ class DeckReader {
     return std::nullopt;
   }
 
+  /// Nodes of sets of one node have a name beside their number, which tells nodes of parts apart.
+  void nodeSet(const std::vector<std::string_view>& words) {
+    const std::string instance = inUpperCase(keyword_.value("INSTANCE"));
+    std::string scope = part_;
+    for (const auto& [name, part] : instances_)
+      if (inUpperCase(name) == instance) scope = part;
+    std::string& point = points_[partKey(keyword_.value("NSET"))];
+    for (const std::string_view word : words)
+      if (!word.empty()) point = point.empty() && isNumber(word) ? fmt::format("{}/{}", scope, word) : severalNodes;
+  }
+  /// What stands for a node: its part and number, of a number or of a set of one node; "" for several.
+  std::string pointOf(std::string_view word) const {
+    if (isNumber(word)) return fmt::format("{}/{}", part_, word);
+    const std::string name = inUpperCase(word);
+    const auto find = [&](const std::string& key) {
+      const auto found = points_.find(key);
+      return found == points_.end() || found->second == severalNodes ? std::string() : found->second;
+    };
+    if (std::string own = find(name); !own.empty()) return own;
+    for (const auto& [instance, part] : instances_)
+      if (const std::string prefix = inUpperCase(instance) + "."; name.starts_with(prefix)) {
+        const std::string rest = name.substr(prefix.size());
+        return isNumber(rest) ? fmt::format("{}/{}", part, rest) : find(part + "/" + rest);
+      }
+    return {};
+  }
+
   void boundary(const std::vector<std::string_view>& words, std::size_t position) {
     if (words.size() < 2) lines_.failAt(position, "*BOUNDARY needs a node or set and a degree of freedom");
     DeckBoundary held;
     held.selection = selectionOf(words[0], position);
     held.position = position;
-    static constexpr std::pair<std::string_view, std::string_view> named[] = {
-        {"ENCASTRE", "xyz"}, {"PINNED", "xyz"}, {"XSYMM", "x"}, {"YSYMM", "y"}, {"ZSYMM", "z"}};
+    held.point = pointOf(words[0]);
+    struct Named {
+      std::string_view name, components, turns;
+    };
+    static constexpr Named named[] = {{"ENCASTRE", "xyz", "xyz"},
+                                      {"PINNED", "xyz", ""},
+                                      {"XSYMM", "x", "yz"},
+                                      {"YSYMM", "y", "xz"},
+                                      {"ZSYMM", "z", "xy"}};
     const std::string word = inUpperCase(words[1]);
-    if (const auto* known = std::ranges::find(named, word, [](const auto& entry) { return entry.first; });
-        known != std::end(named)) {
-      held.components = known->second;
+    if (const auto* known = std::ranges::find(named, word, &Named::name); known != std::end(named)) {
+      held.components = known->components;
+      held.turns = known->turns;
       boundaries_.push_back(held);
       return;
     }
@@ -819,12 +872,14 @@ class DeckReader {
       return refuse(position, fmt::format("*BOUNDARY: degrees of freedom {} to {}; a solid has 1 to 3", first, last));
     for (std::int64_t dof = first; dof <= std::min<std::int64_t>(last, 3); ++dof)
       held.components += static_cast<char>('x' + (dof - 1));
+    for (std::int64_t dof = std::max<std::int64_t>(first, 4); dof <= last; ++dof)
+      held.turns += static_cast<char>('x' + (dof - 4));
     if (words.size() > 3 && !words[3].empty()) held.value = lines_.real(words[3], "the value", position);
     if (held.value != 0 && !inStep_)
       return refuse(position, "*BOUNDARY before the step holds nodes where they are; a value belongs in the step");
     held.velocity = inUpperCase(keyword_.value("TYPE")) == "VELOCITY";
     held.amplitude = inUpperCase(keyword_.value("AMPLITUDE"));
-    if (!held.components.empty()) boundaries_.push_back(held);
+    boundaries_.push_back(held);
   }
 
   void initial(const std::vector<std::string_view>& words, std::size_t position) {
@@ -1121,14 +1176,18 @@ class DeckReader {
     if (times_.size() < 2)
       throw InputError(fmt::format("{}: *DYNAMIC needs a line with its step and its length, s", where));
     integrator["end"] = times_[1];
+    const bool held = !fixed && isOn(*dynamic_, "FIXEDTIMEINCREMENTATION");
     if (fixed) integrator["step"] = times_[0];
+    if (held) integrator["hold"] = true;
     if (dynamic_->has("SCALEFACTOR"))
       integrator["safety"] = lines_.real(dynamic_->value("SCALEFACTOR"), "SCALE FACTOR", dynamic_->position);
     if (!isExplicit || !fixed)
       note(fmt::format("{}: *DYNAMIC {}: {}", where,
                        isExplicit ? "leaves the step to the program" : "is implicit there, and is run explicitly here",
                        fixed ? "its step is held; integrator.step = \"auto\" follows the safe step"
-                             : "the step follows the safe step"));
+                       : held
+                           ? "the step that is safe at the start is held; integrator.hold = false follows the safe step"
+                           : "the step follows the safe step"));
     if (isExplicit && !viscosityAt_)
       note(
           fmt::format("{}: *DYNAMIC, EXPLICIT without *BULK VISCOSITY: there is none here, as in CalculiX; "
@@ -1202,8 +1261,78 @@ class DeckReader {
   }
   static Json listOf(const Eigen::Vector3d& v) { return Json{v[0], v[1], v[2]}; }
 
+  /// The nodes of a rigid body, "#3,7".
+  std::string nodesOfRigid(const DeckKeyword& keyword) {
+    std::set<std::int64_t> ids;
+    if (const std::string elements = keyword.value("ELSET"); !elements.empty())
+      for (const ElementRef e : elementsOf(elements, keyword.position)) {
+        const MeshBlock& block = mesh().blocks[e.block];
+        for (int a = 0; a < block.nodesPerElement(); ++a) ids.insert(mesh().nodeId(block.element(e.element)[a]));
+      }
+    for (const char* key : {"NSET", "TIENSET", "PINNSET"})
+      if (const std::string set = keyword.value(key); !set.empty())
+        for (const std::int32_t node : nodesOf(selectionOf(set, keyword.position))) ids.insert(mesh().nodeId(node));
+    if (ids.empty()) lines_.failAt(keyword.position, "*RIGID BODY has no nodes; ELSET=, NSET= and TIE NSET= give them");
+    return fmt::format("#{}", fmt::join(ids, ","));
+  }
+  /// A body that does not turn moves alike at all of its points, and one that nothing holds moves by its forces: for
+  /// these it does not matter where the reference node is.
+  void writeRigids() {
+    for (const DeckRigid& rigid : rigids_) {
+      keyword_ = rigid.keyword;
+      const std::size_t position = rigid.keyword.position;
+      const auto refuseRigid = [&](const std::string& what) { lines_.failAt(position, "*RIGID BODY: " + what); };
+      const std::string name = fmt::format("rigid body {}", scene_.sections["rigid"].size());
+      last_.erase("rigid");
+      addEntry("rigid", nodesOfRigid(rigid.keyword), {{"name", name}}, position);
+      std::set<char> held, turns;
+      std::vector<DeckBoundary> moving;
+      for (const DeckBoundary& one : boundaries_) {
+        // Of a node of its own for the rotations they are its first three degrees of freedom.
+        const std::string& turned = rigid.turning == rigid.point ? one.turns : one.components;
+        if (one.point == rigid.turning) turns.insert(turned.begin(), turned.end());
+        if (forRun() && one.point == rigid.turning && one.value != 0 && !turned.empty())
+          refuseRigid("its reference node is turned; angular_velocity of a scene's [[move]] does that");
+        if (one.point != rigid.point) continue;
+        held.insert(one.components.begin(), one.components.end());
+        if (one.value != 0) moving.push_back(one);
+      }
+      std::erase_if(boundaries_,
+                    [&](const DeckBoundary& one) { return one.point == rigid.point || one.point == rigid.turning; });
+      if (held.empty() && turns.empty()) continue;
+      constexpr std::size_t all = 3;
+      if (turns.size() != all || held.empty())
+        refuseRigid(
+            "its reference node must have all of its rotations held, or be free altogether; a scene's [[fix]] with "
+            "rigid, turns, axis and point holds it otherwise");
+      Json entry{{"rigid", name}, {"components", std::string(held.begin(), held.end())}};
+      writeGuide(entry, moving, position);
+    }
+  }
+  void writeGuide(Json entry, const std::vector<DeckBoundary>& moving, std::size_t position) {
+    std::string section = "fix";
+    if (!moving.empty() && forRun()) {
+      section = "move";
+      const DeckBoundary& first = moving.front();
+      Eigen::Vector3d value = Eigen::Vector3d::Zero();
+      for (const DeckBoundary& one : moving) {
+        if (one.amplitude != first.amplitude || one.velocity != first.velocity)
+          lines_.failAt(one.position, "*BOUNDARY: the reference node of a *RIGID BODY moves by one amplitude");
+        for (const char c : one.components) value[c - 'x'] = one.value;
+      }
+      const Table table = first.velocity ? tableOf(first.amplitude, first.position) : displacementTable(first);
+      entry[first.velocity ? "velocity" : "displacement"] = listOf(table.factor * value);
+      entry.update(table.entries);
+    }
+    Json& list = scene_.sections[section];
+    if (list.is_null()) list = Json::array();
+    scene_.origins[fmt::format("{}.{}", section, list.size())] = lines_.where(position);
+    list.push_back(std::move(entry));
+  }
+
   void writeBoundaries() {
     for (const DeckBoundary& held : boundaries_) {
+      if (held.components.empty()) continue;  // a solid has no rotations
       if (held.value == 0 || !forRun()) {
         addEntry("fix", held.selection, {{"components", held.components}}, held.position);
         continue;
@@ -1429,6 +1558,8 @@ class DeckReader {
   std::vector<DeckProperty> properties_;
   std::vector<DeckScaling> scalings_;
   std::vector<DeckBoundary> boundaries_;
+  std::vector<DeckRigid> rigids_;
+  std::map<std::string, std::string> points_;  // of node sets, as nodeSets_: pointOf the only node, or severalNodes
   std::vector<DeckPressure> pressures_;
   std::optional<std::size_t> viscosityAt_;  // of *BULK VISCOSITY
   std::set<std::int32_t> pressed_;

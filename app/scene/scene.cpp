@@ -163,6 +163,9 @@ void readIntegratorSection(const SceneTable& integrator, const SceneTable& monit
   scene.method = integrator.get<std::string>("method");
   const Json& step = integrator.at("step").value;
   if (step.is_number()) scene.step = step.get<double>();
+  scene.holdsStep = integrator.get<bool>("hold");
+  if (scene.holdsStep && scene.step)
+    fail(integrator.at("hold").origin, "integrator.hold", "is for step = \"auto\"; a step that is given is held");
   scene.end = integrator.get<double>("end");
   scene.safety = integrator.get<double>("safety");
 
@@ -315,6 +318,8 @@ void readHandlerSection(const SceneTable& handler, const SceneTable& integrator,
     fail(integrator.at("method").origin, "integrator.method",
          fmt::format("\"{}\": handlers work on {}; choose one of them", scene.method,
                      namesWhere(integratorInfos(), takesHandler)));
+  if (scene.holdsStep)
+    fail(integrator.at("hold").origin, "integrator.hold", "handlers follow the safe step, or take one that is given");
   readWantedStep(handler, scene);
   readHandlerOptions(*findHandler(scene.handler), handler, scene);
   if (scene.onViolation == OnViolation::reduceStep)
@@ -398,7 +403,7 @@ void checkRepeats(const SceneTable& monitor, Scene& scene) {
   if (scene.onViolation != OnViolation::repeat) return;
   const std::pair<bool, std::string> faults[] = {
       {!scene.proves(), "goes back to certified states; it needs monitor.mode = \"bracket\" or \"threshold\""},
-      {!scene.step, "is for a step that is given; integrator.step = \"auto\" follows the safe one"},
+      {!scene.step && !scene.holdsStep, "is for a step that is given; integrator.step = \"auto\" follows the safe one"},
       {scene.checkpointInterval.has_value(),
        "goes without checkpoints along the run; leave output.checkpoint_every out"},
       // What has no checkpoints has no state to go back to.

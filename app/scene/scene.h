@@ -245,6 +245,7 @@ struct Scene {
   std::string deviceOrigin;  // "scene.toml:9: integrator.device", for messages
   std::vector<int> devices;  // GPUs, by number; empty: all
   std::string noDevice;      // why this scene cannot run on a GPU; "" when it can
+  bool holdsStep = false;    // "auto" keeps the step of the first state
   double safety = 0;         // share of the safe step that "auto", "reduce-step" and "repeat" take
 
   std::string metric;  // "" for none

@@ -329,7 +329,7 @@ TEST_F(Decks, TellWhatAStepSaysBesides) {
   EXPECT_EQ(told("", "1e-6, 0.05, 5e-5").find("least increment"), std::string::npos);
   EXPECT_THAT(told(", EXPLICIT", ", 0.05, , 2e-5"), HasSubstr("largest increment 2e-05 s: it does not bound the step"));
   EXPECT_THAT(told(", EXPLICIT, FIXED TIME INCREMENTATION", ", 0.05"),
-              HasSubstr("FIXEDTIMEINCREMENTATION: keeps the step that the program finds"));
+              HasSubstr("the step that is safe at the start is held"));
   EXPECT_THAT(told(", EXPLICIT, IMPROVED DT METHOD=NO", ", 0.05"), HasSubstr("IMPROVEDDTMETHOD=NO: the program's own"));
   EXPECT_THAT(told(", ALPHA=-0.05", "1e-3, 0.05"), HasSubstr("ALPHA=-0.05: damps in an implicit scheme"));
   for (const std::string parameter : {"TIME RESET", "TOTAL TIME AT START=1", "SUBSPACE", "ODD"})
