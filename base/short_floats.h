@@ -56,6 +56,12 @@ RINGWATCH_INLINE NativeFloats belowInSingle(NativePack values) {
   const NativePack below = select(values >= NativePack(1e-37), values * NativePack(1 - 0x1p-22), NativePack(0.0));
   return singlesOf(below);
 }
+/// The negatives of numbers at or above those that are given, none of them negative; NaN and infinity stay.
+RINGWATCH_INLINE NativeFloats negativesOfAbove(NativePack values) {
+  const NativePack above =
+      select(values <= NativePack(0.0), values, values * NativePack(1 + 0x1p-22) + NativePack(1e-37));
+  return singlesOf(-above);
+}
 
 /// Single precision at or below a number; NaN stays.
 inline float singleAtOrBelow(double number) {
@@ -144,6 +150,10 @@ struct RoundingDown<float> {
     const detail::NativeFloats below = detail::belowInSingle(values);
     std::memcpy(to, &below, sizeof below);
   }
+  static void storeNegative(NativePack values, float* to) {
+    const detail::NativeFloats negative = detail::negativesOfAbove(values);
+    std::memcpy(to, &negative, sizeof negative);
+  }
 };
 template <>
 struct RoundingDown<Bfloat16> {
@@ -155,6 +165,15 @@ struct RoundingDown<Bfloat16> {
     typedef std::uint32_t Bits __attribute__((vector_size(nativeWidth * sizeof(std::uint32_t))));
     const auto upper = __builtin_convertvector(detail::bitCast<Bits>(detail::belowInSingle(values)) >> 16, Halves);
     static_assert(sizeof upper == nativeWidth * sizeof(Bfloat16));
+    std::memcpy(static_cast<void*>(to), &upper, sizeof upper);
+  }
+  static void storeNegative(NativePack values, Bfloat16* to) {
+    typedef std::uint16_t Halves __attribute__((vector_size(nativeWidth * sizeof(std::uint16_t))));
+    typedef std::uint32_t Bits __attribute__((vector_size(nativeWidth * sizeof(std::uint32_t))));
+    const auto bits = detail::bitCast<Bits>(detail::negativesOfAbove(values));
+    // Away from zero, but for what is not a number or infinite.
+    const auto finite = (bits & 0x7f800000U) != 0x7f800000U;
+    const auto upper = __builtin_convertvector((bits + (Bits(finite) & 0xffffU)) >> 16, Halves);
     std::memcpy(static_cast<void*>(to), &upper, sizeof upper);
   }
 };
@@ -196,6 +215,11 @@ class RoundedUp {
   operator double() const { return -static_cast<double>(negative_); }
   /// A pack of numbers that lie one beside another.
   static NativePack load(const RoundedUp* from) { return -RoundedDown<T>::load(&from->negative_); }
+  /// Stores such a pack, none of them negative.
+  static void store(NativePack numbers, RoundedUp* to) {
+    static_assert(sizeof(RoundedUp) == sizeof(T));
+    RoundingDown<T>::storeNegative(numbers, reinterpret_cast<T*>(to));
+  }
   template <class Archive>
   void archive(Archive& a) {
     a(negative_);

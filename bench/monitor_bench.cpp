@@ -23,6 +23,8 @@
 #include <ringwatch/monitor/bounds/lanczos_bound.h>
 #include <ringwatch/monitor/bounds/reduced_ring.h>
 #include <ringwatch/monitor/critical_step.h>
+#include <ringwatch/monitor/incremental/incremental_nodal_bound.h>
+#include <ringwatch/monitor/incremental/moved_bound.h>
 #include <ringwatch/monitor/incremental/run_certificate.h>
 #include <ringwatch/monitor/incremental/work_account.h>
 #include <ringwatch/monitor/metrics/metrics.h>
@@ -164,9 +166,8 @@ struct Watch {
   double budget;
   int every = 1;
 };
-/// besideScratch: the last bracket is compared with the best one from scratch.
-void watchedRun(benchmark::State& state, const Case& c, int split, double jitter, const Watch& watch, const Pull& pull,
-                bool besideScratch = false) {
+/// The bar at rest, with its ends held and moved.
+Body pulledBar(const Case& c, int split, double jitter, const Pull& pull) {
   Body body(makeBar(c, split, jitter), makeMaterial(c.law, 30e3, 0.3, 1000), {{}, Lumping::rowSum, c.threads});
   const Eigen::Vector3d size = body.mesh().X.rowwise().maxCoeff();
   const double length = size[0];
@@ -180,6 +181,13 @@ void watchedRun(benchmark::State& state, const Case& c, int split, double jitter
         if (k == 0 || pull.turn != 0) body.constraints().move(i, k, velocity[k]);
     }
   }
+  return body;
+}
+
+/// besideScratch: the last bracket is compared with the best one from scratch.
+void watchedRun(benchmark::State& state, const Case& c, int split, double jitter, const Watch& watch, const Pull& pull,
+                bool besideScratch = false) {
+  Body body = pulledBar(c, split, jitter, pull);
   BodySystem system(body), plainSystem(body);
   SymplecticEuler integrator, plainIntegrator;
   MonitorOptions options;
@@ -265,6 +273,61 @@ void watchedRun(benchmark::State& state, const Case& c, int split, double jitter
     state.counters["median_width"] = width[width.size() / 2];
     state.counters["worst_width"] = width.front();
   }
+}
+
+/// How far an upper bound that is kept along a run lies above the highest eigenvalue, in the step, and what it takes
+/// over the step's force: the nodal bound that moves with the body, which may evaluate a five hundredth of the elements
+/// exactly each step, or that of validity balls with a budget of 0.1.
+void keptBound(benchmark::State& state, const Case& c, int split, const Pull& pull, bool moved) {
+  Body body = pulledBar(c, split, jittered, pull);
+  BodySystem system(body);
+  SymplecticEuler integrator;
+  const double h = pull.h * 2 / std::sqrt(globalFrequency(body, body.mesh().X, 1e-6).lambda);
+  constexpr int looks = 10, partOfElements = 500;
+  double kept = 0, force = 0, visited = 0, evaluated = 0;
+  std::vector<double> above;
+  for (auto _ : state) {
+    WorkAccount account(body, 0.1);
+    IncrementalNodalBound balls(body, {}, &account);
+    MovedBound moving(body);
+    State at = system.initialState();
+    StepEvaluation evaluation, plain;
+    Body::Workspace workspace;
+    kept = force = visited = evaluated = 0;
+    above.clear();
+    for (int step = 0; step <= pull.steps; ++step) {
+      const double begin = cpuSeconds();
+      double bound;
+      if (moved) {
+        moving.update(at.x, &evaluation);
+        bound = moving.improve(at.x, 0, body.mesh().elementCount() / partOfElements).value;
+      } else {
+        account.earn();
+        bound = balls.update(at.x, &evaluation).value;
+      }
+      const double between = cpuSeconds();
+      body.evaluate(at.x, plain, workspace);
+      const double end = cpuSeconds();
+      if (step > 0) {
+        kept += between - begin - (end - between);
+        force += end - between;
+        visited += static_cast<double>(moving.statistics().visited);
+        evaluated += static_cast<double>(moved ? moving.statistics().evaluated : balls.statistics().evaluated);
+      }
+      if (step % (pull.steps / looks) == 0)
+        above.push_back(1 - std::sqrt(globalFrequency(body, at.x, 1e-4).lambda / bound));
+      system.complete(at, evaluation);
+      integrator.advance(system, at, h);
+    }
+    state.SetIterationTime(kept + force);
+  }
+  const double elements = static_cast<double>(body.mesh().elementCount()) * pull.steps;
+  std::sort(above.begin(), above.end());
+  state.counters["below_exact_median"] = above[above.size() / 2];
+  state.counters["below_exact_most"] = above.back();
+  state.counters["over_force"] = kept / force;
+  state.counters["visited"] = visited / elements;
+  state.counters["evaluated"] = evaluated / elements;
 }
 
 /// Evaluations of so many elements after a force of the whole body, or looks whether their balls can grow, in units of
@@ -389,8 +452,21 @@ void addSingleElements() {
         }
 }
 
+void addKeptBounds() {
+  for (const auto& [element, cut] : {std::pair{"tet4", 5}, {"tet4", 6}, {"hex8", 1}, {"wedge6", 2}, {"pyramid5", 6}})
+    for (const char* law : {"stvk", "neo-hookean"})
+      for (Pull pull : {slowPull, fastPull, twist})
+        for (const bool moved : {false, true}) {
+          const Case c{element, 20000, law, 1};
+          pull.steps = 400;
+          addRun(joinText("kept/", moved ? "moved" : "balls", "/", pull.name, "/", cut, "_a_cell/", c.name()),
+                 [=, of = cut](benchmark::State& state) { keptBound(state, c, of, pull, moved); });
+        }
+}
+
 void registerAll() {
   addRunsOfTables();
+  addKeptBounds();
   addSingleElements();
   addSeldomWatched();
   for (const ElementInfo& element : allElements())

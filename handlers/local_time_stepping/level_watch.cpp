@@ -6,7 +6,7 @@ LevelWatch::LevelWatch(const Body& body, const ElementFlags& elements, const Eig
                        int substeps)
     : nodes_(nodesOf(body, elements)), lambda_(lambda), substeps_(substeps) {
   part_ = std::make_unique<Body>(bodyOf(body, elements, nodes_, mass(nodes_)));
-  bound_ = std::make_unique<IncrementalNodalBound>(*part_);
+  bound_ = std::make_unique<MovedBound>(*part_);
 }
 
 bool LevelWatch::certifies(const NodeVectors& x) {

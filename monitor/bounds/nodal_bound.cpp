@@ -437,6 +437,19 @@ void NodalBound::gather(std::size_t b, const std::int32_t* elements, StoredFacto
   }
 }
 
+void NodalBound::weightsOf(std::int32_t b, std::int32_t batch, Symmetric3<P>* D) const {
+  const int n = source_->tangents()[b]->nodesPerElement();
+  for (int a = 0; a < n; ++a) D[a] = productOf(load(weights_[b][static_cast<std::ptrdiff_t>(batch) * n + a]));
+}
+
+void NodalBound::setWeightsOf(std::int32_t b, std::int32_t batch, const Symmetric3<P>* D) {
+  const int n = source_->tangents()[b]->nodesPerElement();
+  Symmetric3<P> weights[maxElementNodes];
+  std::copy(D, D + n, weights);
+  normaliseWeights(weights, n);
+  for (int a = 0; a < n; ++a) store(weights[a], weights_[b][static_cast<std::ptrdiff_t>(batch) * n + a]);
+}
+
 void NodalBound::elementValues(std::int32_t b, const std::int32_t* elements, NodeVectorsView x, double* values) const {
   P K[9 * maxElementNodes * maxElementNodes], T[maxElementNodes];
   source_->tangents()[b]->tangentOf(elements, x.data(), reinterpret_cast<double*>(K), reinterpret_cast<double*>(T));

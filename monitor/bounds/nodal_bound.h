@@ -129,6 +129,10 @@ class NodalBound {
   void setWeight(Incidence at, const Eigen::Matrix3d& D) { setFactor(at, factorOf(D)); }
   /// Sets the weights at all nodes of an element, of any size: they get trace 1 over the element.
   void setWeights(ElementRef e, std::span<const Eigen::Matrix3d> weights);
+  /// The weights of the elements of a batch at their nodes: D[a].
+  void weightsOf(std::int32_t block, std::int32_t batch, Symmetric3<NativePack>* D) const;
+  /// Sets them, of any size: they get trace 1 over the element.
+  void setWeightsOf(std::int32_t block, std::int32_t batch, const Symmetric3<NativePack>* D);
   /// l_e at x of any elements of a group, one a lane (-1: none): values[lane].
   void elementValues(std::int32_t block, const std::int32_t* elements, NodeVectorsView x, double* values) const;
   /// Symmetric matrices of elements, one a lane, as ElementTangents::tangentOf gives tangents; overwritten.

@@ -134,6 +134,45 @@ ValidityBalls::ValidityBalls(const ElementBlock& block)
   squareAroundCentre_.assign(batches * lanes, -1);
 }
 
+P ValidityBalls::storeGradients(const double* F, int points, std::int16_t* to) {
+  P farthest2(0.0);
+  auto fits = farthest2 == farthest2;
+  for (int q = 0; q < points; ++q) {
+    P distance2(0.0);
+    for (int i = 0; i < 9; ++i, F += lanes, to += lanes) {
+      const P entry = P::load(F);
+      const auto within = math::abs(entry) <= P(largestEntry);
+      fits = fits & within;
+      const P units = select(within, entry, P(0.0)) * P(1 / entryUnit);
+      const auto rounded =
+          __builtin_convertvector((units + select(units < P(0.0), P(-0.5), P(0.5))).v, detail::NativeIntegers);
+      const auto shorts = __builtin_convertvector(rounded, detail::NativeShorts);
+      std::memcpy(to, &shorts, sizeof shorts);
+      const P off = P(entryUnit) * detail::packOf(rounded) - entry;
+      distance2 += off * off;
+    }
+    farthest2 = math::max(farthest2, distance2);
+  }
+  return select(fits, math::sqrt(farthest2) * P(1 + distanceRounding), P(infinity));
+}
+
+P ValidityBalls::setReferenceGradients(std::int32_t batch, const double* F0) {
+  std::fill_n(squareAroundCentre_.data() + firstOf(batch), lanes, RoundedDown<Bfloat16>(-1.0));
+  return storeGradients(F0, points_,
+                        referenceGradient_.data() + static_cast<std::ptrdiff_t>(batch) * points_ * 9 * lanes);
+}
+
+void ValidityBalls::fitRadii(std::int32_t batch, P radii) {
+  const std::ptrdiff_t first = firstOf(batch);
+  RoundedDown<Bfloat16>* const at = radius_.data() + first;
+  RoundedDown<Bfloat16>* const squares = squareAroundCentre_.data() + first;
+  const P before = RoundedDown<Bfloat16>::load(at);
+  const P now = select(before < P(infinity), math::min(radii, P(largestRadius)), before);
+  storeRadii(now, at);
+  const P square = RoundedDown<Bfloat16>::load(squares);
+  storeRadii(movedSquare(square, before, RoundedDown<Bfloat16>::load(at), squareOfCentre(batch)), squares);
+}
+
 double ValidityBalls::setReferenceGradient(std::size_t place, const double* F0, int points, int lane) {
   squareAroundCentre_[place] = -1;
   double farthest2 = 0;

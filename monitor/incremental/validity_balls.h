@@ -28,6 +28,13 @@ class ValidityBalls {
   /// Every element counts as outside until it has a ball.
   explicit ValidityBalls(const ElementBlock& block);
 
+  /// Stores gradients F[(q * 9 + i) * lanes + lane] of a batch at `to`, [q][9][lane], and returns how far what is
+  /// stored lies from them, at most, of each lane; infinity where they cannot be stored.
+  static NativePack storeGradients(const double* F, int points, std::int16_t* to);
+  /// The same for reference gradients of a batch. The radii have to be set after it.
+  NativePack setReferenceGradients(std::int32_t batch, const double* F0);
+  /// Sets the radii of a batch about the stored gradients; < 0: always outside. Those that are never outside stay so.
+  void fitRadii(std::int32_t batch, NativePack radii);
   /// Stores F0 of the element at `place` (batch * lanes + lane): F0[(q * 9 + i) * lanes + lane]. Returns how far the
   /// stored gradient lies from it, at most; infinity when it cannot be stored. The radius has to be set after it.
   double setReferenceGradient(std::size_t place, const double* F0, int points, int lane);
