@@ -14,9 +14,6 @@ constexpr std::string_view noContact =
     "friction";
 constexpr std::string_view byPenalty =
     "contact here is by penalty, of a stiffness at the nodes that the step has room for";
-constexpr std::string_view movesNodes = "moves nodes before the start; move them in the mesh";
-constexpr std::string_view noConstraint = "ties degrees of freedom to each other";
-constexpr std::string_view noLaw = "there is no such law";
 constexpr std::string_view notDynamic = "is no *DYNAMIC step";
 constexpr std::string_view notWritten =
     "makes or moves nodes or elements and is not supported; write them out with *NODE and *ELEMENT";
@@ -24,13 +21,9 @@ constexpr std::string_view addsMass =
     "adds mass, which changes the step; handler.method = \"mass-scaling\" of a scene does that";
 constexpr std::string_view otherMass =
     "gives mass to elements that do not need it; TYPE=BELOW MIN, or a FACTOR, is what there is";
-constexpr std::string_view notAtRest =
-    "changes the tangent and with it the critical step, and a body begins without stress here; leave it out, or give "
-    "the state by its displacement: ringwatch inspect STATE.vtu --displacement FIELD";
 constexpr std::string_view otherMaterials = "changes the tangent from point to point";
 constexpr std::string_view ownEstimate = "the program's own estimate of the step; the proven bracket stands for it";
 constexpr std::string_view ofImplicit = "controls an implicit scheme, and the scheme here is explicit";
-constexpr std::string_view elsewhere = "takes values from elsewhere";
 constexpr std::string_view laterInTime = "moves the times of its amplitude";
 
 /// Every keyword of Abaqus and CalculiX that is known. One that is not here is refused.
@@ -372,13 +365,39 @@ std::string listed(const DeckKeywordRule& row) {
 
 }  // namespace
 
-const DeckKeywordRule* findKeywordRule(std::string_view name) {
-  const auto* found = std::ranges::find_if(keywordRules, [&](const DeckKeywordRule& row) {
-    bool has = false;
-    forEachName(row, [&](std::string_view one) { has = has || one == name; });
-    return has;
-  });
-  return found == std::end(keywordRules) ? nullptr : found;
+const DeckKeywordRule* findKeywordRule(std::span<const DeckKeywordRule> rules, std::string_view name) {
+  const DeckKeywordRule* found = nullptr;
+  std::size_t longest = 0;  // what of the name the row says, and one more where it says all
+  for (const DeckKeywordRule& row : rules)
+    forEachName(row, [&](std::string_view one) {
+      const bool family = one.ends_with('*');
+      const std::string_view said = one.substr(0, one.size() - (family ? 1 : 0));
+      const std::size_t length = said.size() + (family ? 0 : 1);
+      if (length <= longest || !(family ? name.starts_with(said) : name == said)) return;
+      found = &row;
+      longest = length;
+    });
+  return found;
+}
+
+std::span<const DeckKeywordRule> abaqusKeywords() { return keywordRules; }
+
+std::string keywordListing(std::span<const DeckKeywordRule> rules) {
+  std::string text;
+  for (const auto& [head, rule] : {std::pair{"read with the mesh", DeckRule::mesh},
+                                   {"taken", DeckRule::taken},
+                                   {"taken by run; inspect leaves them out, with a note", DeckRule::takenInRun},
+                                   {"done otherwise, with a note", DeckRule::other},
+                                   {"left out, with a note", DeckRule::harmless},
+                                   {"output requests, left out with a note", DeckRule::output},
+                                   {"left out with a note, but refused with *EXPANSION", DeckRule::temperature},
+                                   {"left out with a note, but refused with temperatures", DeckRule::expansion},
+                                   {"of no matter to inspect; run refuses them", DeckRule::procedure},
+                                   {"likewise", DeckRule::load},
+                                   {"refused", DeckRule::refused}})
+    for (const DeckKeywordRule& row : rules)
+      if (row.rule == rule) text += fmt::format("{}{}{}:\n{}", head, row.why.empty() ? "" : ": ", row.why, listed(row));
+  return text;
 }
 
 const DeckParameterRule* findParameterRule(std::string_view keyword, std::string_view parameter,
@@ -407,19 +426,7 @@ std::string deckHelp() {
   std::string text =
       "Abaqus and CalculiX decks in place of a scene (run) or a mesh (inspect); blanks in keywords do not count, and "
       "whatever\nis not listed is refused.\n\n";
-  for (const auto& [head, rule] : {std::pair{"read with the mesh", DeckRule::mesh},
-                                   {"taken", DeckRule::taken},
-                                   {"taken by run; inspect leaves them out, with a note", DeckRule::takenInRun},
-                                   {"done otherwise, with a note", DeckRule::other},
-                                   {"left out, with a note", DeckRule::harmless},
-                                   {"output requests, left out with a note", DeckRule::output},
-                                   {"left out with a note, but refused with *EXPANSION", DeckRule::temperature},
-                                   {"left out with a note, but refused with temperatures", DeckRule::expansion},
-                                   {"of no matter to inspect; run refuses them", DeckRule::procedure},
-                                   {"likewise", DeckRule::load},
-                                   {"refused", DeckRule::refused}})
-    for (const DeckKeywordRule& row : keywordRules)
-      if (row.rule == rule) text += fmt::format("{}{}{}:\n{}", head, row.why.empty() ? "" : ": ", row.why, listed(row));
+  text += keywordListing(keywordRules);
   text += "\nparameters of keywords that are taken; whatever is not listed is refused:\n";
   for (const DeckKeywordRule& row : keywordRules)
     forEachName(row, [&](std::string_view name) {

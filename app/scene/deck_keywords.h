@@ -1,10 +1,11 @@
 #pragma once
+#include <span>
 #include <string>
 #include <string_view>
 
 namespace ringwatch {
 
-// The keywords of Abaqus and CalculiX decks, and what is done with each.
+// The keywords of decks, and what is done with each.
 
 /// What is done with a keyword, or with a parameter of one.
 enum class DeckRule {
@@ -23,7 +24,9 @@ enum class DeckRule {
 /// Keywords of which the same is done.
 struct DeckKeywordRule {
   DeckRule rule;
-  std::string_view names;  // without blanks, as CalculiX compares them, one blank between two
+  /// Without blanks, as CalculiX compares them, one blank between two; "DATABASE_*" is all that begin so and that no
+  /// other row has.
+  std::string_view names;
   std::string_view why = {};
 };
 /// A parameter of a keyword, without blanks. The first row whose value is that of the deck counts; "" is any value.
@@ -34,7 +37,11 @@ struct DeckParameterRule {
 };
 
 /// The row that has the keyword; nullptr for one that is not known.
-const DeckKeywordRule* findKeywordRule(std::string_view name);
+const DeckKeywordRule* findKeywordRule(std::span<const DeckKeywordRule> rules, std::string_view name);
+/// The keywords with what is done with each.
+std::string keywordListing(std::span<const DeckKeywordRule> rules);
+/// Of Abaqus and CalculiX.
+std::span<const DeckKeywordRule> abaqusKeywords();
 /// nullptr for a parameter that is not known of the keyword. value: in upper case without blanks.
 const DeckParameterRule* findParameterRule(std::string_view keyword, std::string_view parameter,
                                            std::string_view value);
@@ -61,7 +68,15 @@ inline constexpr std::string_view hourglassHere =
     "the hourglass control here is of stiffness, material.hourglass_stiffness, and viscosity, "
     "material.hourglass_viscosity";
 
-/// Every keyword with what is done with it, for the help and the reference.
+inline constexpr std::string_view notAtRest =
+    "changes the tangent and with it the critical step, and a body begins without stress here; leave it out, or give "
+    "the state by its displacement: ringwatch inspect STATE.vtu --displacement FIELD";
+inline constexpr std::string_view movesNodes = "moves nodes before the start; move them in the mesh";
+inline constexpr std::string_view noConstraint = "ties degrees of freedom to each other";
+inline constexpr std::string_view noLaw = "there is no such law";
+inline constexpr std::string_view elsewhere = "takes values from elsewhere";
+
+/// Every keyword of both dialects with what is done with it, for the help and the reference.
 std::string deckHelp();
 
 }  // namespace ringwatch

@@ -14,12 +14,9 @@
 
 #include <fmt/format.h>
 
-#include <ringwatch/app/scene/deck_faces.h>
-#include <ringwatch/app/scene/deck_keywords.h>
+#include <ringwatch/app/scene/deck_writer.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/user_text.h>
-#include <ringwatch/meshes/formats/deck_lines.h>
-#include <ringwatch/meshes/mesh_io.h>
 
 namespace ringwatch {
 namespace {
@@ -35,32 +32,6 @@ std::string withoutBlanks(std::string name) {
   return name;
 }
 
-/// What is held or moved of a degree of freedom by a line of *BOUNDARY.
-struct DeckBoundary {
-  std::string selection;       // a set, or "#12"
-  std::string components;      // "xy"
-  std::string turns = {};      // about these axes, likewise; of what has rotations
-  std::string point = {};      // of one node: pointOf
-  double value = 0;            // m, or m/s
-  bool velocity = false;       // value is one
-  std::string amplitude = {};  // upper case
-  std::size_t position = 0;
-};
-struct DeckLoad {
-  std::string selection;
-  Eigen::Vector3d value;  // N at each node, m/s² with `acceleration`
-  bool acceleration = false;
-  std::string elements = {};  // the set that an acceleration names
-  std::string amplitude = {};
-  std::size_t position = 0;
-};
-/// A pressure on faces, each a face of DeckFaces.
-struct DeckPressure {
-  double value;  // Pa, inwards
-  std::string amplitude;
-  std::size_t position;  // of the keyword
-  std::vector<std::int32_t> faces = {};
-};
 /// A line of a *SURFACE.
 struct DeckSurfaceLine {
   std::string elements;  // a set or a number; of nodes in a *SURFACE of those
@@ -150,10 +121,9 @@ struct DeckAmplitude {
   bool smooth;  // SMOOTH STEP
 };
 
-class DeckReader {
+class DeckReader : DeckWriter {
  public:
-  DeckReader(const std::filesystem::path& file, DeckUse use)
-      : file_(file), use_(use), text_(detail::readWholeFile(file)), lines_(file, text_) {}
+  DeckReader(const std::filesystem::path& file, DeckUse use) : DeckWriter(file, use, detail::DeckDialect::abaqus) {}
 
   DeckScene read() {
     while (const std::optional<DeckLine> line = lines_.next()) {
@@ -170,7 +140,7 @@ class DeckReader {
                                                "which changes its tangent and with it the critical step",
                                                temperature_->name, placeOf(temperature_->position)));
     finishStructures();
-    if (!refused_.empty()) refuseAll();
+    throwRefused();
     scene_.sections["mesh"] = Json{{"file", file_.filename().string()}};
     scene_.origins["mesh"] = file_.string();
     writeMaterials();
@@ -181,14 +151,15 @@ class DeckReader {
     writeLinks();
     writeContacts();
     writeLoads();
+    if (presses() && !nonlinear_)
+      note(fmt::format(
+          "{}: the pressure follows the surface; CalculiX keeps its first direction and area without NLGEOM",
+          lines_.where(firstPressure())));
     writePressures();
     checkMassScaling();
     for (const auto& [name, surface] : surfaces_)
       if (!surface.used) leaveOut(surface.keyword);
-    if (!left_.empty())
-      note(fmt::format("{}: left out, they {}: {}", file_.string(),
-                       forRun() ? "change no motion" : "do not matter to the step of the body at rest", left_));
-    return std::move(scene_);
+    return finished();
   }
 
  private:
@@ -221,27 +192,8 @@ class DeckReader {
     friction
   };
 
-  bool forRun() const { return use_ == DeckUse::run; }
-  void note(std::string text) { scene_.notes.push_back(std::move(text)); }
-  void refuse(std::size_t position, const std::string& what) {
-    refused_.push_back(fmt::format("{}: {}", lines_.where(position), what));
-  }
-  [[noreturn]] void refuseAll() const {
-    std::string text = refused_.front();
-    constexpr std::size_t shown = 8;
-    if (refused_.size() > 1) text += fmt::format("; and {} more: ", refused_.size() - 1);
-    for (std::size_t i = 1; i < std::min(refused_.size(), shown); ++i) text += (i == 1 ? "" : "; ") + refused_[i];
-    if (refused_.size() > shown) text += "; …";
-    throw InputError(text);
-  }
-  void leaveOut(const DeckKeyword& keyword) {
-    left_ += fmt::format("{}*{} ({})", left_.empty() ? "" : ", ", keyword.name, placeOf(keyword.position));
-  }
-  /// "line 12", with the file where it is an included one.
-  std::string placeOf(std::size_t position) const {
-    const std::string where = lines_.where(position), own = file_.string() + ":";
-    return where.starts_with(own) ? "line " + where.substr(own.size()) : where;
-  }
+  using DeckWriter::leaveOut;
+  void leaveOut(const DeckKeyword& keyword) { leaveOut(keyword.name, keyword.position); }
 
   void begin(DeckKeyword keyword) {
     keyword_ = std::move(keyword);
@@ -252,12 +204,12 @@ class DeckReader {
     for (const auto& [key, value] : keyword_.parameters) requireUtf8(key + value, keyword_.position);
     for (auto& [key, value] : keyword_.parameters) parameters[withoutBlanks(key)] = std::move(value);
     keyword_.parameters = std::move(parameters);
-    const DeckKeywordRule* rule = findKeywordRule(name);
+    const DeckKeywordRule* rule = findKeywordRule(abaqusKeywords(), name);
     if (rule == nullptr) {
       refuse(keyword_.position, fmt::format("*{} is not known", shortened(keyword_.name)));
       return;
     }
-    if (!follow(rule->rule, "*" + keyword_.name, rule->why) || !takesParameters(name, rule->rule)) return;
+    if (!follow(rule->rule, "", rule->why) || !takesParameters(name, rule->rule)) return;
     if (rule->rule == DeckRule::mesh) meshKeyword(name);
     if (rule->rule == DeckRule::taken || (rule->rule == DeckRule::takenInRun && forRun())) take(name);
   }
@@ -270,65 +222,27 @@ class DeckReader {
       lines_.failAt(position, "the line is not UTF-8; save the deck as UTF-8");
     }
   }
-  /// Does what the table says of a keyword or parameter. False where it is refused.
-  bool follow(DeckRule rule, const std::string& what, std::string_view why) {
-    const bool ofKeyword = what == "*" + keyword_.name;
-    switch (rule) {
-      case DeckRule::mesh:
-      case DeckRule::taken:
-        return true;
-      case DeckRule::takenInRun:
-        if (!forRun()) leaveOut(keyword_);
-        return true;
-      case DeckRule::other:
-        note(fmt::format("{}: {}: {}", lines_.where(keyword_.position), what, why));
-        return true;
-      case DeckRule::harmless:
-        if (!ofKeyword) {
-          if (forRun()) note(fmt::format("{}: {}: {}", lines_.where(keyword_.position), what, why));
-          return true;
-        }
-        [[fallthrough]];
-      case DeckRule::output:
-        leaveOut(keyword_);
-        return true;
-      case DeckRule::temperature:
-        if (!temperature_) temperature_ = keyword_;
-        leaveOut(keyword_);
-        return true;
-      case DeckRule::expansion:
-        if (!expansion_) expansion_ = keyword_;
-        leaveOut(keyword_);
-        return true;
-      case DeckRule::procedure:
-        if (why == noTemperature && !temperature_) temperature_ = keyword_;
-        [[fallthrough]];
-      case DeckRule::load:
-        if (!forRun()) {
-          if (ofKeyword) leaveOut(keyword_);
-          return true;
-        }
-        [[fallthrough]];
-      case DeckRule::refused:
-        ofStructures_ = ofStructures_ || why == noStructure;
-        refuse(keyword_.position, fmt::format("{}: {}", what, why));
-        return false;
-    }
-    return false;
+  /// Does what the table says of the keyword, or of a parameter of it. False where it is refused.
+  bool follow(DeckRule rule, const std::string& parameter, std::string_view why) {
+    if ((rule == DeckRule::temperature || (rule == DeckRule::procedure && why == noTemperature)) && !temperature_)
+      temperature_ = keyword_;
+    if (rule == DeckRule::expansion && !expansion_) expansion_ = keyword_;
+    const bool followed = DeckWriter::follow(rule, keyword_.name, parameter, why, keyword_.position);
+    ofStructures_ = ofStructures_ || (!followed && why == noStructure);
+    return followed;
   }
   /// Whether all that a keyword line says besides its name is done.
   bool takesParameters(const std::string& name, DeckRule rule) {
     const bool taken = rule == DeckRule::taken || (rule == DeckRule::takenInRun && forRun());
     bool all = true;
     for (const auto& [parameter, value] : keyword_.parameters) {
-      const std::string what =
-          fmt::format("*{}, {}{}{}", keyword_.name, shortened(parameter), value.empty() ? "" : "=", shortened(value));
+      const std::string what = fmt::format("{}{}{}", shortened(parameter), value.empty() ? "" : "=", shortened(value));
       if (const DeckParameterRule* known = findParameterRule(name, parameter, withoutBlanks(inUpperCase(value)))) {
         if (taken || known->rule == DeckRule::refused) all = follow(known->rule, what, known->why) && all;
       } else if (taken) {
         const std::string takes = takenParameters(name);
-        refuse(keyword_.position,
-               fmt::format("{} is not taken; {}", what, takes.empty() ? "there are no parameters" : takes + " are"));
+        refuse(keyword_.position, fmt::format("*{}, {} is not taken; {}", keyword_.name, what,
+                                              takes.empty() ? "there are no parameters" : takes + " are"));
         all = false;
       }
     }
@@ -864,8 +778,7 @@ class DeckReader {
         words.size() > 2 && !words[2].empty() ? lines_.number(words[2], "the last degree of freedom", position) : first;
     constexpr std::int64_t temperature = 11;
     if (first == temperature && last == temperature) {
-      if (noted_.insert(fmt::format("temperature {}", keyword_.position)).second)
-        follow(DeckRule::temperature, "*BOUNDARY", {});
+      if (noted_.insert(fmt::format("temperature {}", keyword_.position)).second) follow(DeckRule::temperature, "", {});
       return;
     }
     if (last > 6 || first > last)
@@ -929,22 +842,6 @@ class DeckReader {
     loads_.push_back({"", lines_.real(words[2], "the acceleration", position) * direction.normalized(), true,
                       std::string(words[0]), inUpperCase(keyword_.value("AMPLITUDE")), position});
   }
-  const Mesh& mesh() {
-    if (!mesh_) mesh_ = readMesh(file_);
-    return *mesh_;
-  }
-  /// The nodes of a selection: a set, or "#" and a number. Empty for one that is not there, which the scene refuses.
-  std::vector<std::int32_t> nodesOf(const std::string& selection) {
-    if (const auto set = mesh().nodeSets.find(selection); set != mesh().nodeSets.end()) return set->second;
-    if (selection.starts_with('#')) {
-      if (nodeOfNumber_.empty())
-        for (std::int32_t node = 0; node < static_cast<std::int32_t>(mesh().nodeCount()); ++node)
-          nodeOfNumber_.try_emplace(mesh().nodeId(node), node);
-      if (const auto node = nodeOfNumber_.find(std::stoll(selection.substr(1))); node != nodeOfNumber_.end())
-        return {node->second};
-    }
-    return {};
-  }
   /// The number of "P3" or "S3"; empty for another word.
   static std::optional<int> faceOf(std::string_view word, char letter) {
     if (word.size() != 2 || std::toupper(static_cast<unsigned char>(word[0])) != letter || word[1] < '1' ||
@@ -957,20 +854,11 @@ class DeckReader {
     const std::string given = nameIn(&Mesh::elementSets, word, position);
     if (isNumber(given)) {
       const std::int64_t number = lines_.number(given, "the element", position);
-      if (elementOfNumber_.empty())
-        for (std::int32_t b = 0; b < static_cast<std::int32_t>(mesh().blocks.size()); ++b)
-          for (std::int32_t e = 0; e < static_cast<std::int32_t>(mesh().blocks[b].elementCount()); ++e)
-            elementOfNumber_.try_emplace(mesh().blocks[b].id(e), ElementRef{b, e});
-      if (const auto element = elementOfNumber_.find(number); element != elementOfNumber_.end())
-        return {element->second};
+      if (const auto element = elementWithNumber(number)) return {*element};
       lines_.failAt(position, fmt::format("*{}: the mesh has no element {}", keyword_.name, number));
     }
     if (const auto set = mesh().elementSets.find(given); set != mesh().elementSets.end()) return set->second;
     lines_.failAt(position, fmt::format("*{}: there is no element set {}", keyword_.name, inQuotes(word)));
-  }
-  const DeckFaces& faces() {
-    if (!faces_) faces_.emplace(mesh());
-    return *faces_;
   }
   /// The faces of the surface of the mesh with a number, of elements, or all of these that lie outside for 0.
   std::vector<std::int32_t> facesOf(const std::string& elements, int face, std::size_t position) {
@@ -999,20 +887,8 @@ class DeckReader {
     return result;
   }
   void press(const std::vector<std::int32_t>& faces, std::string_view value, std::size_t position) {
-    const double pressure = lines_.real(value, "the pressure", position);
-    const auto begin = [&] {
-      pressures_.push_back({pressure, inUpperCase(keyword_.value("AMPLITUDE")), keyword_.position});
-      pressed_.clear();
-    };
-    if (pressures_.empty() || pressures_.back().position != keyword_.position || pressures_.back().value != pressure)
-      begin();
-    for (const std::int32_t one : faces) {
-      if (!pressed_.insert(one).second) {  // pressures on a face add up
-        begin();
-        pressed_.insert(one);
-      }
-      pressures_.back().faces.push_back(one);
-    }
+    DeckWriter::press(faces, lines_.real(value, "the pressure", position), inUpperCase(keyword_.value("AMPLITUDE")),
+                      keyword_.position);
   }
   void dsload(const std::vector<std::string_view>& words, std::size_t position) {
     if (words.size() < 3 || inUpperCase(words[1]) != "P")
@@ -1120,18 +996,7 @@ class DeckReader {
                       fmt::format("*FIXED MASS SCALING: {} is the set of no *SOLID SECTION", inQuotes(scaling.elset)));
     if (list.empty())
       lines_.failAt(sections_.front().position, "*SOLID SECTION: there is no *INSTANCE of the part that it is in");
-    if (!rules_.empty()) {
-      Json rules = Json::array();
-      for (const auto& [element, rule] : rules_) rules.push_back(element + "=" + rule);
-      list.front()["rules"] = std::move(rules);
-    }
-    if (list.size() == 1) {
-      scene_.sections["material"] = list.front();
-      scene_.origins["material"] = origins.front();
-      return;
-    }
-    scene_.sections["material"] = std::move(list);
-    for (std::size_t i = 0; i < origins.size(); ++i) scene_.origins[fmt::format("material.{}", i)] = origins[i];
+    writeMaterialList(std::move(list), origins, rules_);
   }
 
   /// Of the elements of a section, by its set in the mesh: what was given last.
@@ -1202,11 +1067,6 @@ class DeckReader {
                      nonlinear_ ? "with NLGEOM" : "without NLGEOM", nonlinear_ ? "stvk" : "linear"));
   }
 
-  /// Entries of a scene for an amplitude, or the factor of one with a single point.
-  struct Table {
-    Json entries = Json::object();
-    double factor = 1;
-  };
   const DeckAmplitude& amplitudeOf(const std::string& name, std::size_t position) const {
     const auto found = amplitudes_.find(name);
     if (found == amplitudes_.end()) lines_.failAt(position, fmt::format("there is no *AMPLITUDE {}", inQuotes(name)));
@@ -1215,7 +1075,7 @@ class DeckReader {
   }
   bool rampsLoads() const { return inUpperCase(step_.value("AMPLITUDE")) == "RAMP"; }
 
-  Table tableOf(const std::string& amplitude, std::size_t position) const {
+  Table tableOf(const std::string& amplitude, std::size_t position) const override {
     if (amplitude.empty()) {
       if (!rampsLoads()) return {};  // at once, as in every *DYNAMIC step
       return {Json{{"times", {0.0, times_[1]}}, {"factors", {0.0, 1.0}}}};
@@ -1226,8 +1086,7 @@ class DeckReader {
     if (points.smooth) table.entries["ramp"] = "quintic";
     return table;
   }
-  /// Of a displacement, which begins at 0.
-  Table displacementTable(const DeckBoundary& held) const {
+  Table displacementTable(const DeckBoundary& held) const override {
     if (held.amplitude.empty() && !rampsLoads())
       lines_.failAt(held.position, "*BOUNDARY: the nodes would jump to their place at once; give an AMPLITUDE from 0");
     Table table = tableOf(held.amplitude, held.position);
@@ -1237,29 +1096,6 @@ class DeckReader {
                     "nodes would jump to their place at once");
     return table;
   }
-
-  /// Adds an entry of a list; one that differs from the last in its nodes alone, each named by its number, joins it.
-  void addEntry(const std::string& section, const std::string& selection, const Json& rest, std::size_t position) {
-    Json& list = scene_.sections[section];
-    if (list.is_null()) list = Json::array();
-    const std::string key = rest.dump();
-    Last& last = last_[section];
-    // A node that comes again adds its value once more.
-    if (selection.starts_with("#") && !list.empty() && last.key == key && last.nodes.insert(selection).second) {
-      list.back()["set"] = list.back()["set"].get<std::string>() + "," + selection.substr(1);
-      return;
-    }
-    last = {selection.starts_with("#") ? key : "", {selection}};
-    scene_.origins[fmt::format("{}.{}", section, list.size())] = lines_.where(position);
-    Json entry = Json::object();
-    if (!selection.empty())
-      entry["set"] = selection;
-    else if (section != "contact")
-      entry["where"] = "all";
-    entry.update(rest);
-    list.push_back(std::move(entry));
-  }
-  static Json listOf(const Eigen::Vector3d& v) { return Json{v[0], v[1], v[2]}; }
 
   /// The nodes of a rigid body, "#3,7".
   std::string nodesOfRigid(const DeckKeyword& keyword) {
@@ -1283,7 +1119,7 @@ class DeckReader {
       const std::size_t position = rigid.keyword.position;
       const auto refuseRigid = [&](const std::string& what) { lines_.failAt(position, "*RIGID BODY: " + what); };
       const std::string name = fmt::format("rigid body {}", scene_.sections["rigid"].size());
-      last_.erase("rigid");
+      keepApart("rigid");
       addEntry("rigid", nodesOfRigid(rigid.keyword), {{"name", name}}, position);
       std::set<char> held, turns;
       std::vector<DeckBoundary> moving;
@@ -1330,22 +1166,6 @@ class DeckReader {
     list.push_back(std::move(entry));
   }
 
-  void writeBoundaries() {
-    for (const DeckBoundary& held : boundaries_) {
-      if (held.components.empty()) continue;  // a solid has no rotations
-      if (held.value == 0 || !forRun()) {
-        addEntry("fix", held.selection, {{"components", held.components}}, held.position);
-        continue;
-      }
-      Eigen::Vector3d value = Eigen::Vector3d::Zero();
-      for (const char c : held.components) value[c - 'x'] = held.value;
-      const Table table = held.velocity ? tableOf(held.amplitude, held.position) : displacementTable(held);
-      Json entry{{"components", held.components},
-                 {held.velocity ? "velocity" : "displacement", listOf(table.factor * value)}};
-      entry.update(table.entries);
-      addEntry("move", held.selection, entry, held.position);
-    }
-  }
   void writeInitials() {
     // Entries of a scene add up; of a deck the last value of a node counts.
     std::map<std::pair<std::int32_t, int>, double> given;
@@ -1420,7 +1240,7 @@ class DeckReader {
     };
     const std::string node = nodeOf(link.nodes[0]);
     if (property.keyword == "MASS") {
-      last_.erase("mass");  // the mass of an entry is that of all its nodes
+      keepApart("mass");  // the mass of an entry is that of all its nodes
       return addEntry("mass", node, {{"mass", value}}, link.position);
     }
     Json entry =
@@ -1465,7 +1285,7 @@ class DeckReader {
       const auto write = [&](const std::string& nodes, const std::string& faces) {
         Json sides = entry;
         sides["to_set"] = faces;
-        last_.erase("contact");
+        keepApart("contact");
         addEntry("contact", nodes, sides, contact.position);
       };
       write(one.first, other.first);
@@ -1489,7 +1309,7 @@ class DeckReader {
       return {fmt::format("#{}", fmt::join(nodes, ",")), true};
     }
     const std::vector<std::int32_t> outside = facesOf(*surface, prefix, position);
-    if (!refused_.empty()) refuseAll();
+    throwRefused();
     const std::vector<std::string> sets = faces().nodeSetsOf(outside);
     if (sets.size() != 1)
       lines_.failAt(position, fmt::format("*CONTACT PAIR: the faces of {} are not told from others by their nodes",
@@ -1508,34 +1328,9 @@ class DeckReader {
         lines_.failAt(load.position, fmt::format("GRAV on {}: the masses of *MASS ({}) are not in it; leave the name "
                                                  "out for all, or give the weight of the others as *CLOAD",
                                                  inQuotes(load.elements), placeOf(mass->position)));
-      const Table table = tableOf(load.amplitude, load.position);
-      Json entry{{load.acceleration ? "acceleration" : "each", listOf(table.factor * load.value)}};
-      entry.update(table.entries);
-      addEntry("force", load.selection, entry, load.position);
+      writeLoad(load);
     }
   }
-
-  void writePressures() {
-    if (!pressures_.empty() && !nonlinear_)
-      note(fmt::format(
-          "{}: the pressure follows the surface; CalculiX keeps its first direction and area without NLGEOM",
-          lines_.where(pressures_.front().position)));
-    for (const DeckPressure& pressure : pressures_) {
-      const Table table = tableOf(pressure.amplitude, pressure.position);
-      Json entry{{"pressure", table.factor * pressure.value}};
-      entry.update(table.entries);
-      for (const std::string& nodes : faces_->nodeSetsOf(pressure.faces)) {
-        last_.erase("pressure");  // sets of two entries stay apart
-        addEntry("pressure", nodes, entry, pressure.position);
-      }
-    }
-  }
-
-  std::filesystem::path file_;
-  DeckUse use_;
-  std::string text_;
-  DeckLines lines_;
-  DeckScene scene_;
   DeckKeyword keyword_;
   Reading reading_ = Reading::nothing;
   int dataLines_ = 0, steps_ = 0;
@@ -1557,12 +1352,9 @@ class DeckReader {
   const DeckLinkType* linkType_ = nullptr;
   std::vector<DeckProperty> properties_;
   std::vector<DeckScaling> scalings_;
-  std::vector<DeckBoundary> boundaries_;
   std::vector<DeckRigid> rigids_;
   std::map<std::string, std::string> points_;  // of node sets, as nodeSets_: pointOf the only node, or severalNodes
-  std::vector<DeckPressure> pressures_;
   std::optional<std::size_t> viscosityAt_;  // of *BULK VISCOSITY
-  std::set<std::int32_t> pressed_;
   std::map<std::string, Surface> surfaces_;
   Surface* surface_ = nullptr;
   std::vector<DeckContact> contacts_;
@@ -1570,22 +1362,21 @@ class DeckReader {
   std::string interaction_, generalInteraction_;
   std::map<std::string, double> frictions_;  // by *SURFACE INTERACTION
   std::vector<DeckInitial> initials_;
-  std::vector<DeckLoad> loads_;
   std::map<std::string, DeckAmplitude> amplitudes_;
   DeckAmplitude* amplitude_ = nullptr;
-  std::optional<Mesh> mesh_;
-  std::unordered_map<std::int64_t, std::int32_t> nodeOfNumber_;   // of the mesh, once asked for
-  std::unordered_map<std::int64_t, ElementRef> elementOfNumber_;  // the same
-  std::optional<DeckFaces> faces_;
-  std::vector<std::string> refused_;
   std::set<std::string> noted_;
-  struct Last {
-    std::string key;              // "" where none may join it
-    std::set<std::string> nodes;  // each "#12"
-  };
-  std::map<std::string, Last> last_;  // entries of the sections
-  std::string left_;
 };
+
+/// The first bytes of a file, enough for the comments before its first keyword; "" for none that can be read.
+std::string beginOf(const std::filesystem::path& file) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) return {};
+  std::ifstream stream(file, std::ios::binary);
+  std::string begin(std::size_t{64} << 10, '\0');
+  stream.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  begin.resize(static_cast<std::size_t>(std::max<std::streamsize>(stream.gcount(), 0)));
+  return begin;
+}
 
 }  // namespace
 
@@ -1593,10 +1384,7 @@ bool isDeckFile(const std::filesystem::path& file) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) return false;
   if (file.extension() == ".inp") return true;  // what is wrong with it its reader says
-  std::ifstream stream(file, std::ios::binary);
-  std::string begin(std::size_t{64} << 10, '\0');
-  stream.read(begin.data(), static_cast<std::streamsize>(begin.size()));
-  begin.resize(static_cast<std::size_t>(stream.gcount()));
+  const std::string begin = beginOf(file);
   return detail::startsWithDeck(begin);
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <system_error>
+#include <utility>
 
 #include <ringwatch/base/machine_memory.h>
 
@@ -20,14 +21,20 @@ std::string_view trimmedLine(std::string_view text) {
   return text;
 }
 
-/// Skips a line from `at` and returns it, trimmed.
-std::string_view takeLine(std::string_view text, std::size_t& at) {
+/// Skips a line from `at` and returns it.
+std::string_view nextLine(std::string_view text, std::size_t& at) {
   const std::size_t begin = at, end = std::min(text.find('\n', begin), text.size());
   at = end + 1;
-  return trimmedLine(text.substr(begin, end - begin));
+  return text.substr(begin, end - begin);
 }
 
-bool isNoLine(std::string_view line) { return line.empty() || line.starts_with("**"); }
+/// The first line of a text that is neither empty nor begins with a comment's sign.
+std::string_view firstLine(std::string_view text, std::string_view comment) {
+  for (std::size_t at = 0; at < text.size();)
+    if (const std::string_view line = trimmedLine(nextLine(text, at)); !line.empty() && !line.starts_with(comment))
+      return line;
+  return {};
+}
 
 /// The name of a keyword: upper case, one blank between two words.
 std::string keywordName(std::string_view written) {
@@ -40,20 +47,34 @@ std::string keywordName(std::string_view written) {
   return name;
 }
 
-}  // namespace
-
-bool startsWithDeck(std::string_view text) {
-  for (std::size_t at = 0; at < text.size();) {
-    const std::string_view line = takeLine(text, at);
-    if (isNoLine(line)) continue;
-    return line.size() > 1 && line[0] == '*' &&
-           ((line[1] >= 'A' && line[1] <= 'Z') || (line[1] >= 'a' && line[1] <= 'z'));
-  }
-  return false;
+bool isKeywordLine(std::string_view line) {
+  return line.size() > 1 && line[0] == '*' &&
+         ((line[1] >= 'A' && line[1] <= 'Z') || (line[1] >= 'a' && line[1] <= 'z'));
 }
 
-DeckLines::DeckLines(const std::filesystem::path& path, const std::string& text) : folder_(path.parent_path()) {
+}  // namespace
+
+bool startsWithDeck(std::string_view text) { return isKeywordLine(firstLine(text, "**")); }
+
+bool startsWithDyna(std::string_view text) {
+  const std::string_view first = firstLine(text, "$");
+  if (!isKeywordLine(first)) return false;
+  return firstLine(text, "**").starts_with("$") || inUpperCase(first).starts_with("*KEYWORD");
+}
+
+DeckLines::DeckLines(const std::filesystem::path& path, const std::string& text, DeckDialect dialect)
+    : dialect_(dialect), folder_(path.parent_path()) {
   open(path, &text);
+}
+
+bool DeckLines::isNoLine(std::string_view line) const {
+  return dialect_ == DeckDialect::dyna ? line.starts_with("$") : line.empty() || line.starts_with("**");
+}
+
+std::string_view DeckLines::takeLine(std::string_view text, std::size_t& at) const {
+  const std::string_view line = nextLine(text, at), trimmed = trimmedLine(line);
+  if (dialect_ == DeckDialect::abaqus) return trimmed;
+  return trimmed.empty() ? trimmed : line.substr(0, static_cast<std::size_t>(trimmed.end() - line.begin()));
 }
 
 void DeckLines::open(const std::filesystem::path& path, const std::string* text) {
@@ -93,6 +114,7 @@ std::optional<DeckLine> DeckLines::nextOfFiles() {
 }
 
 std::optional<DeckLine> DeckLines::next() {
+  if (dialect_ == DeckDialect::dyna) return nextOfDyna();
   while (const std::optional<DeckLine> line = nextOfFiles()) {
     if (!line->isKeyword() || keywordName(fields(line->text).front().substr(1)) != "INCLUDE") return line;
     include(keyword(*line));
@@ -100,14 +122,45 @@ std::optional<DeckLine> DeckLines::next() {
   return std::nullopt;
 }
 
+std::optional<DeckLine> DeckLines::nextOfDyna() {
+  while (const std::optional<DeckLine> line = nextOfFiles()) {
+    Open& file = open_.back();
+    if (line->isKeyword()) {
+      const std::string name = inUpperCase(line->text.substr(1, line->text.find_first_of(" \t,") - 1));
+      if (file.included == 0u || !file.name.empty())
+        failAt(line->position, "*INCLUDE above has no name of a file, or one that does not end");
+      file.included = name == "INCLUDE" ? std::optional<std::size_t>(0) : std::nullopt;
+      if (name == "END")
+        open_.pop_back();
+      else if (!file.included)
+        return line;
+    } else if (!file.included) {
+      return line;
+    } else if (!line->text.empty()) {
+      file.name += trimmedLine(line->text);
+      if (file.name.ends_with(" +")) {  // goes on in the next line
+        file.name.resize(file.name.size() - 2);
+        continue;
+      }
+      ++*file.included;
+      include(std::exchange(file.name, {}), "INCLUDE", line->position);
+    }
+  }
+  return std::nullopt;
+}
+
 void DeckLines::include(const DeckKeyword& keyword) {
-  const auto refuse = [&](const std::string& what) { failAt(keyword.position, "*" + keyword.name + " " + what); };
   const std::string name = keyword.value("INPUT");
-  if (name.empty()) refuse("needs the name of a file, INPUT=");
+  if (name.empty()) failAt(keyword.position, "*" + keyword.name + " needs the name of a file, INPUT=");
+  include(name, keyword.name, keyword.position);
+}
+
+void DeckLines::include(const std::string& name, std::string_view keyword, std::size_t position) {
+  const auto refuse = [&](const std::string& what) { failAt(position, joinText("*", keyword, " ", what)); };
   std::filesystem::path path = folder_ / name;  // an absolute name stays as it is
   std::error_code error;
   if (!std::filesystem::exists(path, error)) {
-    const auto after = std::upper_bound(sources_.begin(), sources_.end(), keyword.position,
+    const auto after = std::upper_bound(sources_.begin(), sources_.end(), position,
                                         [](std::size_t at, const Source& source) { return at < source.base; });
     const std::filesystem::path beside = std::prev(after)->path.parent_path() / name;
     if (std::filesystem::exists(beside, error)) path = beside;

@@ -12,13 +12,16 @@
 
 namespace ringwatch::detail {
 
+/// Whose decks: of Abaqus and CalculiX, or of LS-DYNA.
+enum class DeckDialect { abaqus, dyna };
+
 /// A line of a deck.
 struct DeckLine {
-  std::string_view text;  // trimmed, not empty
+  std::string_view text;  // trimmed, not empty; of LS-DYNA trimmed at the end alone, and a line of blanks is one
   std::size_t position;
   bool ended;  // by a line end; false for the last line of a file that has none
 
-  bool isKeyword() const { return text.front() == '*'; }
+  bool isKeyword() const { return text.starts_with('*'); }
 };
 
 /// A keyword line with its parameters, "*ELEMENT, TYPE=C3D8, ELSET=bar".
@@ -35,19 +38,21 @@ struct DeckKeyword {
   }
 };
 
-/// Whether a text is a deck: behind comments and empty lines it begins with a keyword.
+/// Whether a text is a deck of Abaqus or CalculiX: behind comments and empty lines it begins with a keyword.
 bool startsWithDeck(std::string_view text);
+/// Whether a text is a deck of LS-DYNA: it begins with *KEYWORD, or with another keyword behind its comments, "$ …".
+bool startsWithDyna(std::string_view text);
 
-/// The lines of an Abaqus or CalculiX deck and of the files that it includes, in the order in which the program that
-/// the deck is for reads them. A position stands for a place in one of the files.
+/// The lines of a deck and of the files that it includes, in the order in which the program that the deck is for reads
+/// them. A position stands for a place in one of the files.
 class DeckLines {
  public:
   /// text: of the file; it must outlive this.
-  DeckLines(const std::filesystem::path& path, const std::string& text);
+  DeckLines(const std::filesystem::path& path, const std::string& text, DeckDialect dialect = DeckDialect::abaqus);
 
   /// The next line that is neither empty nor a comment. *INCLUDE is followed: its file is looked for beside the deck,
-  /// then beside the file that includes it. Throws InputError "FILE:LINE: …" for a file that cannot be read, that
-  /// includes itself, or that is included too deep or too often.
+  /// then beside the file that includes it. LS-DYNA's *END ends the file that it stands in. Throws InputError
+  /// "FILE:LINE: …" for a file that cannot be read, that includes itself, or that is included too deep or too often.
   std::optional<DeckLine> next();
   /// The keyword of a line, which goes on in the next one where it ends with a comma.
   DeckKeyword keyword(const DeckLine& first);
@@ -79,10 +84,18 @@ class DeckLines {
   struct Open {
     std::size_t source;
     std::size_t at;  // the byte to go on with
+    // LS-DYNA: files so far of an *INCLUDE whose lines these are, and the name of one that goes on in the next line.
+    std::optional<std::size_t> included = {};
+    std::string name = {};
   };
+  bool isNoLine(std::string_view line) const;
+  std::string_view takeLine(std::string_view text, std::size_t& at) const;
+  void include(const std::string& name, std::string_view keyword, std::size_t position);
+  std::optional<DeckLine> nextOfDyna();
   void open(const std::filesystem::path& path, const std::string* text);
   std::optional<DeckLine> nextOfFiles();
 
+  DeckDialect dialect_;
   std::filesystem::path folder_;                                         // of the deck
   std::map<std::filesystem::path, std::unique_ptr<std::string>> texts_;  // of included files
   std::vector<Source> sources_;                                          // by base

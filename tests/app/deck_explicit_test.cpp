@@ -4,14 +4,13 @@
 
 #include <ringwatch/app/scene/time_table.h>
 
-#include "program.h"
+#include "deck_program.h"
 
 namespace ringwatch {
 namespace {
 
 using test::Json;
 using test::Outcome;
-using test::Program;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -71,41 +70,16 @@ std::string step(const std::string& inside, const std::string& dynamic = "*Dynam
 constexpr const char *stvk = "[material]\nmodel = \"stvk\"\nyoung = 2.1e11\npoisson = 0.3\ndensity = 7850\n",
                      *fixed = "[[fix]]\nset = \"Root\"\n";
 
-class ExplicitDecks : public Program {
+class ExplicitDecks : public test::DeckProgram {
  protected:
-  /// Runs a deck and the scene of its mesh: masses, brackets and energies are the same.
   void expectSame(const std::string& deck, const std::string& scene,
                   const std::string& integrator = "step = \"auto\"\nend = 1e-4\n") {
-    folder_.write("deck.inp", deck);
-    folder_.write("scene.toml", "[mesh]\nfile = \"deck.inp\"\n[integrator]\n" + integrator + scene);
-    const Outcome ofDeck = call("run deck.inp --out d --set output.picture=false"),
-                  ofScene = call("run scene.toml --out s --set output.picture=false");
-    ASSERT_EQ(ofDeck.status, ofScene.status) << ofDeck.err << ofScene.err;
-    ASSERT_LE(ofDeck.status, 1) << ofDeck.err << ofScene.err;
-    out_ = ofDeck.out;
-    const Json one = json("d/summary.json"), other = json("s/summary.json");
-    EXPECT_NEAR(one["mass"].get<double>() / other["mass"].get<double>(), 1, 1e-12);
-    mass_ = one["mass"];
-    const Table rows = table("d/history.csv"), expected = table("s/history.csv");
-    ASSERT_EQ(rows.rows.size(), expected.rows.size());
-    for (const std::size_t row : {std::size_t{0}, rows.rows.size() - 1})
-      for (const char* column : {"h_s", "safe_s", "optimistic_s", "kinetic_J", "strain_J", "external_work_J"}) {
-        if (rows.at(row, column) == expected.at(row, column)) continue;  // infinite where every step is stable
-        const double value = expected.number(row, column);
-        EXPECT_NEAR(rows.number(row, column), value, 1e-12 * std::abs(value)) << column;
-      }
-    const Outcome inspected = call("inspect deck.inp --json -");
-    ASSERT_EQ(inspected.status, 0) << inspected.err;
-    if (one["handler"].is_null()) {
-      EXPECT_NEAR(parse(inspected.out)["mass"].get<double>() / mass_, 1, 1e-12);
-    }
+    test::DeckProgram::expectSame("deck.inp", deck, scene, integrator);
   }
   void refuse(const std::string& deck, const std::string& what, const std::string& command = "run deck.inp --out x") {
     folder_.write("deck.inp", deck);
     expectRefused(command, what);
   }
-  double mass_ = 0;
-  std::string out_;
 };
 
 TEST_F(ExplicitDecks, TakeOnePointHexahedraAndBulkViscosity) {

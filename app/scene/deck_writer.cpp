@@ -1,0 +1,206 @@
+#include <ringwatch/app/scene/deck_writer.h>
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include <ringwatch/base/error.h>
+#include <ringwatch/meshes/mesh_io.h>
+
+namespace ringwatch {
+
+DeckWriter::DeckWriter(const std::filesystem::path& file, DeckUse use, detail::DeckDialect dialect)
+    : file_(file), use_(use), text_(detail::readWholeFile(file)), lines_(file, text_, dialect) {}
+
+void DeckWriter::refuse(std::size_t position, const std::string& what) {
+  refused_.push_back(fmt::format("{}: {}", lines_.where(position), what));
+}
+
+void DeckWriter::throwRefused() const {
+  if (refused_.empty()) return;
+  std::string text = refused_.front();
+  constexpr std::size_t shown = 8;
+  if (refused_.size() > 1) text += fmt::format("; and {} more: ", refused_.size() - 1);
+  for (std::size_t i = 1; i < std::min(refused_.size(), shown); ++i) text += (i == 1 ? "" : "; ") + refused_[i];
+  if (refused_.size() > shown) text += "; …";
+  throw InputError(text);
+}
+
+void DeckWriter::leaveOut(std::string_view keyword, std::size_t position) {
+  left_ += fmt::format("{}*{} ({})", left_.empty() ? "" : ", ", keyword, placeOf(position));
+}
+
+std::string DeckWriter::placeOf(std::size_t position) const {
+  const std::string where = lines_.where(position), own = file_.string() + ":";
+  return where.starts_with(own) ? "line " + where.substr(own.size()) : where;
+}
+
+bool DeckWriter::follow(DeckRule rule, std::string_view keyword, std::string_view parameter, std::string_view why,
+                        std::size_t position) {
+  const auto told = [&] { return fmt::format("*{}{}{}: {}", keyword, parameter.empty() ? "" : ", ", parameter, why); };
+  switch (rule) {
+    case DeckRule::mesh:
+    case DeckRule::taken:
+      return true;
+    case DeckRule::takenInRun:
+      if (!forRun()) leaveOut(keyword, position);
+      return true;
+    case DeckRule::other:
+      note(fmt::format("{}: {}", lines_.where(position), told()));
+      return true;
+    case DeckRule::harmless:
+      if (!parameter.empty()) {
+        if (forRun()) note(fmt::format("{}: {}", lines_.where(position), told()));
+        return true;
+      }
+      [[fallthrough]];
+    case DeckRule::output:
+    case DeckRule::temperature:
+    case DeckRule::expansion:
+      leaveOut(keyword, position);
+      return true;
+    case DeckRule::procedure:
+    case DeckRule::load:
+      if (!forRun()) {
+        if (parameter.empty()) leaveOut(keyword, position);
+        return true;
+      }
+      [[fallthrough]];
+    case DeckRule::refused:
+      refuse(position, told());
+      return false;
+  }
+  return false;
+}
+
+const Mesh& DeckWriter::mesh() {
+  if (!mesh_) mesh_ = readMesh(file_);
+  return *mesh_;
+}
+
+std::vector<std::int32_t> DeckWriter::nodesOf(const std::string& selection) {
+  if (const auto set = mesh().nodeSets.find(selection); set != mesh().nodeSets.end()) return set->second;
+  if (selection.starts_with('#')) {
+    if (nodeOfNumber_.empty())
+      for (std::int32_t node = 0; node < static_cast<std::int32_t>(mesh().nodeCount()); ++node)
+        nodeOfNumber_.try_emplace(mesh().nodeId(node), node);
+    if (const auto node = nodeOfNumber_.find(std::stoll(selection.substr(1))); node != nodeOfNumber_.end())
+      return {node->second};
+  }
+  return {};
+}
+
+std::optional<ElementRef> DeckWriter::elementWithNumber(std::int64_t number) {
+  if (elementOfNumber_.empty())
+    for (std::int32_t b = 0; b < static_cast<std::int32_t>(mesh().blocks.size()); ++b)
+      for (std::int32_t e = 0; e < static_cast<std::int32_t>(mesh().blocks[b].elementCount()); ++e)
+        elementOfNumber_.try_emplace(mesh().blocks[b].id(e), ElementRef{b, e});
+  const auto element = elementOfNumber_.find(number);
+  return element == elementOfNumber_.end() ? std::nullopt : std::optional(element->second);
+}
+
+const DeckFaces& DeckWriter::faces() {
+  if (!faces_) faces_.emplace(mesh());
+  return *faces_;
+}
+
+void DeckWriter::press(const std::vector<std::int32_t>& faces, double pressure, const std::string& amplitude,
+                       std::size_t position) {
+  const auto begin = [&] {
+    pressures_.push_back({pressure, amplitude, position});
+    pressed_.clear();
+  };
+  if (pressures_.empty() || pressures_.back().position != position || pressures_.back().value != pressure ||
+      pressures_.back().amplitude != amplitude)
+    begin();
+  for (const std::int32_t one : faces) {
+    if (!pressed_.insert(one).second) {  // pressures on a face add up
+      begin();
+      pressed_.insert(one);
+    }
+    pressures_.back().faces.push_back(one);
+  }
+}
+
+void DeckWriter::addEntry(const std::string& section, const std::string& selection, const Json& rest,
+                          std::size_t position) {
+  Json& list = scene_.sections[section];
+  if (list.is_null()) list = Json::array();
+  const std::string key = rest.dump();
+  Last& last = last_[section];
+  // A node that comes again adds its value once more.
+  if (selection.starts_with("#") && !list.empty() && last.key == key && last.nodes.insert(selection).second) {
+    list.back()["set"] = list.back()["set"].get<std::string>() + "," + selection.substr(1);
+    return;
+  }
+  last = {selection.starts_with("#") ? key : "", {selection}};
+  scene_.origins[fmt::format("{}.{}", section, list.size())] = lines_.where(position);
+  Json entry = Json::object();
+  if (!selection.empty())
+    entry["set"] = selection;
+  else if (section != "contact" && !rest.contains("rigid"))
+    entry["where"] = "all";
+  entry.update(rest);
+  list.push_back(std::move(entry));
+}
+
+void DeckWriter::writeMaterialList(Json list, const std::vector<std::string>& origins,
+                                   const std::map<std::string, std::string>& rules) {
+  if (!rules.empty()) {
+    Json named = Json::array();
+    for (const auto& [element, rule] : rules) named.push_back(element + "=" + rule);
+    list.front()["rules"] = std::move(named);
+  }
+  if (list.size() == 1) {
+    scene_.sections["material"] = list.front();
+    scene_.origins["material"] = origins.front();
+    return;
+  }
+  scene_.sections["material"] = std::move(list);
+  for (std::size_t i = 0; i < origins.size(); ++i) scene_.origins[fmt::format("material.{}", i)] = origins[i];
+}
+
+void DeckWriter::writeBoundaries() {
+  for (const DeckBoundary& held : boundaries_) {
+    if (held.components.empty()) continue;  // a solid has no rotations
+    if (held.value == 0 || !forRun()) {
+      addEntry("fix", held.selection, {{"components", held.components}}, held.position);
+      continue;
+    }
+    Eigen::Vector3d value = Eigen::Vector3d::Zero();
+    for (const char c : held.components) value[c - 'x'] = held.value;
+    const Table table = held.velocity ? tableOf(held.amplitude, held.position) : displacementTable(held);
+    Json entry{{"components", held.components},
+               {held.velocity ? "velocity" : "displacement", listOf(table.factor * value)}};
+    entry.update(table.entries);
+    addEntry("move", held.selection, entry, held.position);
+  }
+}
+
+void DeckWriter::writeLoad(const DeckLoad& load) {
+  const Table table = tableOf(load.amplitude, load.position);
+  Json entry{{load.acceleration ? "acceleration" : "each", listOf(table.factor * load.value)}};
+  entry.update(table.entries);
+  addEntry("force", load.selection, entry, load.position);
+}
+
+void DeckWriter::writePressures() {
+  for (const Pressure& pressure : pressures_) {
+    const Table table = tableOf(pressure.amplitude, pressure.position);
+    Json entry{{"pressure", table.factor * pressure.value}};
+    entry.update(table.entries);
+    for (const std::string& nodes : faces().nodeSetsOf(pressure.faces)) {
+      keepApart("pressure");  // sets of two entries stay apart
+      addEntry("pressure", nodes, entry, pressure.position);
+    }
+  }
+}
+
+DeckScene DeckWriter::finished() {
+  if (!left_.empty())
+    note(fmt::format("{}: left out, they {}: {}", file_.string(),
+                     forRun() ? "change no motion" : "do not matter to the step of the body at rest", left_));
+  return std::move(scene_);
+}
+
+}  // namespace ringwatch

@@ -1,0 +1,131 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include <ringwatch/app/scene/deck_faces.h>
+#include <ringwatch/app/scene/deck_keywords.h>
+#include <ringwatch/app/scene/deck_scene.h>
+#include <ringwatch/meshes/formats/deck_lines.h>
+
+namespace ringwatch {
+
+/// What is held or moved of degrees of freedom by a line of a deck.
+struct DeckBoundary {
+  std::string selection;       // a set, or "#12"
+  std::string components;      // "xy"
+  std::string turns = {};      // about these axes, likewise; of what has rotations
+  std::string point = {};      // of one node: which
+  double value = 0;            // m, or m/s
+  bool velocity = false;       // value is one
+  std::string amplitude = {};  // the name of its table; "" for none
+  std::size_t position = 0;
+};
+struct DeckLoad {
+  std::string selection;
+  Eigen::Vector3d value;  // N at each node, m/s² with `acceleration`
+  bool acceleration = false;
+  std::string elements = {};  // the set that an acceleration names
+  std::string amplitude = {};
+  std::size_t position = 0;
+};
+
+/// The scene that a deck becomes while it is read, whatever its dialect: sections, notes, what is left out and refused.
+class DeckWriter {
+ protected:
+  using Json = nlohmann::ordered_json;
+  /// Entries of a scene for a table of time, or the factor of one that is constant.
+  struct Table {
+    Json entries = Json::object();
+    double factor = 1;
+  };
+
+  DeckWriter(const std::filesystem::path& file, DeckUse use, detail::DeckDialect dialect);
+  virtual ~DeckWriter() = default;
+  DeckWriter(const DeckWriter&) = delete;
+  DeckWriter& operator=(const DeckWriter&) = delete;
+
+  /// The table with a name; position: of what names it, for messages.
+  virtual Table tableOf(const std::string& amplitude, std::size_t position) const = 0;
+  /// Likewise of a displacement, which begins at 0.
+  virtual Table displacementTable(const DeckBoundary& held) const = 0;
+
+  bool forRun() const { return use_ == DeckUse::run; }
+  void note(std::string text) { scene_.notes.push_back(std::move(text)); }
+  void refuse(std::size_t position, const std::string& what);
+  /// Throws InputError with all that was refused, if anything was.
+  void throwRefused() const;
+  /// keyword: without the star.
+  void leaveOut(std::string_view keyword, std::size_t position);
+  /// "line 12", with the file where it is an included one.
+  std::string placeOf(std::size_t position) const;
+  /// Does what the table says of a keyword, "*ELEMENT", or of a parameter of one. False where it is refused.
+  bool follow(DeckRule rule, std::string_view keyword, std::string_view parameter, std::string_view why,
+              std::size_t position);
+
+  const Mesh& mesh();
+  /// The nodes of a selection: a set, or "#" and a number. Empty for one that is not there, which the scene refuses.
+  std::vector<std::int32_t> nodesOf(const std::string& selection);
+  /// The element with a number of the file; empty for none.
+  std::optional<ElementRef> elementWithNumber(std::int64_t number);
+  const DeckFaces& faces();
+
+  /// A pressure (Pa, inwards) on faces, each a face of faces(), of a line below the keyword at `position`.
+  void press(const std::vector<std::int32_t>& faces, double pressure, const std::string& amplitude,
+             std::size_t position);
+
+  bool presses() const { return !pressures_.empty(); }
+  std::size_t firstPressure() const { return pressures_.front().position; }
+
+  /// Adds an entry of a list; one that differs from the last in its nodes alone, each named by its number, joins it.
+  void addEntry(const std::string& section, const std::string& selection, const Json& rest, std::size_t position);
+  /// The next entry of a list joins none before it.
+  void keepApart(const std::string& section) { last_.erase(section); }
+  static Json listOf(const Eigen::Vector3d& v) { return Json{v[0], v[1], v[2]}; }
+  /// Of the materials of the parts of the body, at least one, with where each stands.
+  void writeMaterialList(Json list, const std::vector<std::string>& origins,
+                         const std::map<std::string, std::string>& rules);
+  void writeBoundaries();
+  void writeLoad(const DeckLoad& load);
+  void writePressures();
+  /// The scene with the note of what was left out.
+  DeckScene finished();
+
+  std::filesystem::path file_;
+  DeckUse use_;
+  std::string text_;
+  detail::DeckLines lines_;
+  DeckScene scene_;
+  std::vector<DeckBoundary> boundaries_;
+  std::vector<DeckLoad> loads_;
+  std::vector<std::string> refused_;
+
+ private:
+  struct Pressure {
+    double value;  // Pa, inwards
+    std::string amplitude;
+    std::size_t position;  // of the keyword
+    std::vector<std::int32_t> faces = {};
+  };
+  struct Last {
+    std::string key;              // "" where none may join it
+    std::set<std::string> nodes;  // each "#12"
+  };
+
+  std::vector<Pressure> pressures_;
+  std::set<std::int32_t> pressed_;
+  std::optional<Mesh> mesh_;
+  std::unordered_map<std::int64_t, std::int32_t> nodeOfNumber_;   // of the mesh, once asked for
+  std::unordered_map<std::int64_t, ElementRef> elementOfNumber_;  // the same
+  std::optional<DeckFaces> faces_;
+  std::map<std::string, Last> last_;  // entries of the sections
+  std::string left_;
+};
+
+}  // namespace ringwatch
