@@ -277,9 +277,9 @@ struct RunCommand {
   void declare(CLI::App& app) {
     CLI::App* command = app.add_subcommand("run", "run a scene: a nonlinear simulation with the monitor watching");
     command
-        ->add_option(
-            "SCENE", scene,
-            "scene file (TOML), an Abaqus or CalculiX deck, or a MuJoCo model; see ringwatch help scene | decks")
+        ->add_option("SCENE", scene,
+                     "scene file (TOML), a deck of Abaqus, CalculiX or LS-DYNA, or a MuJoCo model; see ringwatch help "
+                     "scene | decks")
         ->type_name("SCENE");
     command
         ->add_option("--out", folder, "folder for the results, made when missing (default: out/ and the scene's name)")

@@ -168,7 +168,7 @@ constexpr std::array<HelpTopic, 12> topics{{
     {"metrics", "metrics of the highest frequency, with the direction that each errs in", metricsText, nullptr},
     {"handlers", "ways to keep a step that is too large for some elements", handlersText,
      [] { return namesIn(handlerInfos()); }},
-    {"decks", "keywords of Abaqus and CalculiX decks that run and inspect take", deckHelp, nullptr},
+    {"decks", "keywords of decks of Abaqus, CalculiX and LS-DYNA that run and inspect take", deckHelp, nullptr},
     {"formats", "mesh formats that are read and written", formatsText, formatNames},
     {"generators", "mesh generators and their parameters", generatorsText, [] { return namesIn(allGenerators()); }},
     {"studies", "studies of ringwatch verify", studiesText, [] { return namesIn(allStudies()); }},

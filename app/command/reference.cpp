@@ -388,7 +388,7 @@ std::string generatorsPage(const Commands&) {
 
 std::string decksPage(const Commands&) {
   Page page("Keywords of decks",
-            "What is done with each keyword of Abaqus and CalculiX; `ringwatch help decks` prints the same.");
+            "What is done with each keyword of Abaqus, CalculiX and LS-DYNA; `ringwatch help decks` prints the same.");
   page.paragraph("```text\n" + deckHelp() + "```");
   return page.text();
 }
@@ -424,7 +424,7 @@ constexpr NamedPage pages[] = {
     {"metrics", "Metrics", "metrics and the direction that each errs in", metricsPage},
     {"handlers", "Handlers", "handlers and their own keys", handlersPage},
     {"formats", "Mesh formats", "what is read and written", formatsPage},
-    {"decks", "Keywords of decks", "what is done with each keyword of Abaqus and CalculiX", decksPage},
+    {"decks", "Keywords of decks", "what is done with each keyword of Abaqus, CalculiX and LS-DYNA", decksPage},
     {"generators", "Mesh generators", "kinds of generated meshes and their parameters", generatorsPage},
     {"studies", "Studies", "what `ringwatch verify` runs", studiesPage},
     {"exit_status", "Exit statuses", "of every command", exitStatusPage},

@@ -5,6 +5,8 @@
 #include <set>
 #include <span>
 
+#include <ringwatch/meshes/quality.h>
+
 namespace ringwatch {
 namespace {
 
@@ -53,6 +55,23 @@ std::optional<std::int32_t> DeckFaces::find(ElementRef element, int number) cons
            std::ranges::is_permutation(corners_[static_cast<std::size_t>(face)], wanted);
   });
   return found == near.end() ? -1 : *found;
+}
+
+std::optional<std::pair<std::int32_t, bool>> DeckFaces::findByCorners(const std::vector<std::int32_t>& corners) const {
+  const auto& near = atNode_[static_cast<std::size_t>(corners.front())];
+  const auto found = std::ranges::find_if(near, [&](std::int32_t face) {
+    return std::ranges::is_permutation(corners_[static_cast<std::size_t>(face)], corners);
+  });
+  if (found == near.end()) return std::nullopt;
+  const ElementFace& face = faces_[static_cast<std::size_t>(*found)];
+  std::vector<std::int32_t> own = corners_[static_cast<std::size_t>(*found)];
+  std::rotate(own.begin(), std::ranges::find(own, corners.front()), own.end());
+  const bool alike = own[1] == corners[1];
+  // The corners of a face go round it as seen from outside, of an element of the other handedness the other way.
+  const double volume = elementQuality(mesh_.blocks[static_cast<std::size_t>(face.block)],
+                                       static_cast<std::size_t>(face.element), mesh_.X)
+                            .volume;
+  return std::pair{*found, alike == (volume > 0)};
 }
 
 std::vector<std::string> DeckFaces::nodeSetsOf(const std::vector<std::int32_t>& faces) const {

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <ringwatch/app/scene/dyna_keywords.h>
+
 namespace ringwatch {
 namespace {
 
@@ -451,7 +453,7 @@ std::string deckHelp() {
     text += solid.element.empty() ? fmt::format("  {:<8} refused: {}\n", solid.type, solid.why)
                                   : fmt::format("  {:<8} {} with {}{}{}\n", solid.type, solid.element, solid.rule,
                                                 solid.why.empty() ? "" : ": ", solid.why);
-  return text;
+  return text + "\n" + dynaHelp();
 }
 
 }  // namespace ringwatch

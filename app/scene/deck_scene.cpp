@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 
 #include <ringwatch/app/scene/deck_writer.h>
+#include <ringwatch/app/scene/dyna_scene.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/user_text.h>
 
@@ -1385,9 +1386,11 @@ bool isDeckFile(const std::filesystem::path& file) {
   if (!std::filesystem::is_regular_file(file, error)) return false;
   if (file.extension() == ".inp") return true;  // what is wrong with it its reader says
   const std::string begin = beginOf(file);
-  return detail::startsWithDeck(begin);
+  return detail::startsWithDeck(begin) || detail::startsWithDyna(begin);
 }
 
-DeckScene readDeckScene(const std::filesystem::path& file, DeckUse use) { return DeckReader(file, use).read(); }
+DeckScene readDeckScene(const std::filesystem::path& file, DeckUse use) {
+  return detail::startsWithDyna(beginOf(file)) ? readDynaScene(file, use) : DeckReader(file, use).read();
+}
 
 }  // namespace ringwatch

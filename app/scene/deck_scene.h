@@ -14,7 +14,7 @@ enum class DeckUse {
   model  ///< the body: mesh, materials, sections and what is held; procedures and loads do not matter to it
 };
 
-/// The sections of a scene that an Abaqus or CalculiX deck, or a MuJoCo model, stands for.
+/// The sections of a scene that a deck of Abaqus, CalculiX or LS-DYNA, or a MuJoCo model, stands for.
 struct DeckScene {
   nlohmann::ordered_json sections;             // as in Scene::echo, but only what the deck says
   std::map<std::string, std::string> origins;  // "force.0" -> "deck.inp:31", of sections
@@ -27,8 +27,8 @@ struct DeckScene {
 bool isDeckFile(const std::filesystem::path& file);
 
 /// The materials, sections, supports, loads, initial velocities and the *DYNAMIC step of a deck, as CalculiX reads them
-/// (CalculiX CrunchiX user's manual, "Input deck format"). Output requests are left out with a note. Throws InputError
-/// "FILE:LINE: …" with every keyword that changes the motion and that ringwatch has not.
+/// (CalculiX CrunchiX user's manual, "Input deck format"), or as readDynaScene has them. Output requests are left out
+/// with a note. Throws InputError "FILE:LINE: …" with every keyword that changes the motion and that ringwatch has not.
 DeckScene readDeckScene(const std::filesystem::path& file, DeckUse use);
 
 }  // namespace ringwatch

@@ -220,7 +220,7 @@ struct Scene {
   };
 
   std::filesystem::path file;
-  bool ofModel = false;            // the file is an Abaqus or CalculiX deck or a MuJoCo model
+  bool ofModel = false;            // the file is a deck or a MuJoCo model
   std::vector<std::string> notes;  // what a user may want to know of how the file was read, one line each
   std::string mayBeStable;         // as DeckScene::mayBeStable
   nlohmann::ordered_json echo;     // every section and key with defaults filled in

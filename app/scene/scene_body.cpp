@@ -102,6 +102,12 @@ std::vector<std::int32_t> NodeSelection::nodesIn(const Mesh& part) const {
   std::vector<std::int32_t> nodes;
   if (!where && set.starts_with("#")) {
     const std::vector<std::int64_t> wanted = numbers();
+    constexpr std::size_t few = 16;  // for which a look at every node is quicker than an index
+    if (wanted.size() <= few) {
+      for (std::int32_t i = 0; i < static_cast<std::int32_t>(part.nodeCount()); ++i)
+        if (std::ranges::find(wanted, part.nodeId(i)) != wanted.end()) nodes.push_back(i);
+      return nodes;
+    }
     std::unordered_map<std::int64_t, std::int32_t> nodeOf;
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(part.nodeCount()); ++i) nodeOf.emplace(part.nodeId(i), i);
     for (const std::int64_t number : wanted)

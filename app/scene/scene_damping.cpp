@@ -16,7 +16,7 @@ void readDampingSection(const SceneTable& section, Scene& scene) {
   scene.damping = {section.get<double>("mass"), section.get<double>("stiffness")};
   const bool bulk = section.get<bool>("bulk_viscosity");
   for (const char* key : {"linear_bulk_viscosity", "quadratic_bulk_viscosity"})
-    if (section.given(key) && !bulk)
+    if (section.given(key) && !section.given("bulk_viscosity"))
       fail(section.at(key).origin, section.name + "." + key, "goes with bulk_viscosity = true; set that too");
   if (!bulk) return;
   scene.linearBulkViscosity = section.get<double>("linear_bulk_viscosity");

@@ -13,6 +13,7 @@
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/nearest_name.h>
 #include <ringwatch/base/user_text.h>
+#include <ringwatch/meshes/formats/file_cursor.h>
 #include <ringwatch/meshes/mesh_io.h>
 
 namespace ringwatch {
@@ -155,6 +156,7 @@ class Reader {
     try {
       root_ = toml::parse(content, file_.string());
     } catch (const toml::parse_error& fault) {
+      detail::refuseForeign(file_, content);
       std::string what(fault.description());
       std::replace(what.begin(), what.end(), '\n', ' ');
       const std::size_t line = fault.source().begin.line;

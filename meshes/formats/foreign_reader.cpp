@@ -29,6 +29,11 @@ constexpr std::string_view cellsByFaces = "it gives cells by their faces; write 
 constexpr std::string_view meshOfFlex =
     "it tells how to make a mesh; gmsh makes one, and .msh is what its flexcomp reads";
 
+constexpr std::string_view asDyna =
+    "OpenRadioss reads LS-DYNA decks, too, and so does ringwatch: give the .k file that it was made of, or write one "
+    "in "
+    "the preprocessor";
+
 constexpr ForeignFormat formats[] = {
     {"MeshVersionFormatted", " .mesh .meshb ", "a Medit mesh", "medit", {}},
     {"BEGIN BULK", " .bdf .nas .fem ", "a Nastran deck", "nastran", {}},
@@ -51,9 +56,8 @@ constexpr ForeignFormat formats[] = {
     {{}, " .dato .post ", "a PERMAS file", {}, writeAnother},
     {{}, " .cgns ", "a CGNS file", {}, writeAnother},
     {{}, " .h5m ", "a mesh of MOAB", {}, writeAnother},
-    {"*KEYWORD", " .k .key .dyn ", "an LS-DYNA deck", {}, writeAnother},
-    {"#RADIOSS", " .rad ", "a Radioss deck", {}, writeAnother},
-    {"/BEGIN", {}, "a Radioss deck", {}, writeAnother},
+    {"#RADIOSS", " .rad ", "a Radioss deck", {}, asDyna},
+    {"/BEGIN", {}, "a Radioss deck", {}, asDyna},
     {"/PREP7", " .cdb ", "an Ansys deck", {}, writeAnother},
     {"/COM", {}, "an Ansys deck", {}, writeAnother},
     {"/BATCH", {}, "an Ansys deck", {}, writeAnother},

@@ -16,6 +16,7 @@ using Problems = std::vector<MeshProblem>;
 
 Mesh readMsh(const std::filesystem::path& path, const std::string& text, Notes* notes, Problems* problems);
 Mesh readInp(const std::filesystem::path& path, const std::string& text, Notes* notes, Problems* problems);
+Mesh readDyna(const std::filesystem::path& path, const std::string& text, Notes* notes, Problems* problems);
 /// How the note of a deck begins, behind its name, that lists the keywords that are not of the mesh.
 inline constexpr std::string_view deckSkippedNote = ": skipped, only nodes, elements and their sets are read: ";
 Mesh readTetgen(const std::filesystem::path& nodeFile, const std::filesystem::path& elementFile, Notes* notes,

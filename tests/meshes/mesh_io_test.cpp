@@ -440,7 +440,7 @@ TEST(MeshIo, SectionsThatGmshWritesWithItsOptionsAreRead) {
 TEST(MeshIo, FormatsThatAreNotReadAreNamed) {
   const TemporaryFolder folder;
   const std::pair<const char*, const char*> files[] = {
-      {"*KEYWORD\n*NODE\n1,0,0,0\n*END\n", "an LS-DYNA deck"},
+      {"#RADIOSS STARTER\n/BEGIN\n", "a Radioss deck"},
       {"(0 \"a mesh\")\n(2 3)\n", "a Fluent mesh"},
       {"MESH dimension 3 ElemType Tetrahedra Nnode 4\n", "a GiD mesh"},
       {"<?xml version=\"1.0\"?>\n<!DOCTYPE Xdmf SYSTEM \"Xdmf.dtd\" []>\n<Xdmf/>\n", "an XDMF file"},

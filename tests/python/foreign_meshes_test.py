@@ -313,7 +313,7 @@ def test_a_program_that_is_ended_leaves_nothing(tmp_path: pathlib.Path) -> None:
     ("m.unv", "    -1\n  2411\n", "a universal file (UNV), which is not read; gmsh makes a mesh"),
     ("m.msh", "MESH dimension 3 ElemType Hexahedra Nnode 8\n", "a GiD mesh, which is not read"),
     ("m.msh", '(0 "a mesh")\n(2 3)\n', "a Fluent mesh, which is not read; it gives cells by their faces"),
-    ("m.k", "$ a comment\n*KEYWORD\n*NODE\n", "an LS-DYNA deck, which is not read"),
+    ("m.rad", "#RADIOSS STARTER\n/BEGIN\n", "a Radioss deck, which is not read; OpenRadioss reads LS-DYNA decks, too"),
     ("m.xml", "<?xml version='1.0'?>\n<mujoco model='m'/>\n", "a model of MuJoCo (MJCF), which is not read"),
     ("m.stl", "solid a\nendsolid a\n", "a surface in STL, which is not read; a surface has no volume elements"),
     ("m.vtu", "version https://git-lfs.github.com/spec/v1\noid sha256:0\n", "a pointer of Git LFS"),
