@@ -57,6 +57,15 @@ std::optional<std::int32_t> DeckFaces::find(ElementRef element, int number) cons
   return found == near.end() ? -1 : *found;
 }
 
+std::vector<std::int32_t> DeckFaces::ofElements(const std::vector<ElementRef>& elements) const {
+  std::set<std::pair<std::int32_t, std::int32_t>> wanted;
+  for (const ElementRef element : elements) wanted.emplace(element.block, element.element);
+  std::vector<std::int32_t> found;
+  for (std::size_t i = 0; i < faces_.size(); ++i)
+    if (wanted.contains({faces_[i].block, faces_[i].element})) found.push_back(static_cast<std::int32_t>(i));
+  return found;
+}
+
 std::optional<std::pair<std::int32_t, bool>> DeckFaces::findByCorners(const std::vector<std::int32_t>& corners) const {
   const auto& near = atNode_[static_cast<std::size_t>(corners.front())];
   const auto found = std::ranges::find_if(near, [&](std::int32_t face) {

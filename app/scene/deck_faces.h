@@ -19,6 +19,9 @@ class DeckFaces {
   /// position; -1 when it lies inside the mesh. Empty where the element has no such face.
   std::optional<std::int32_t> find(ElementRef element, int number) const;
 
+  /// The faces of elements.
+  std::vector<std::int32_t> ofElements(const std::vector<ElementRef>& elements) const;
+
   /// The face with these corners, by the mesh's positions and in any order, and whether that order goes round it as
   /// seen from outside. Empty where the surface has no such face.
   std::optional<std::pair<std::int32_t, bool>> findByCorners(const std::vector<std::int32_t>& corners) const;

@@ -1261,11 +1261,6 @@ class DeckReader : DeckWriter {
     if (general_ && contacts_.size() > 1)
       lines_.failAt(contacts_.back().position, "contact beside that of all surfaces, which has it already; give one");
     if (general_) contacts_[*general_].interaction = generalInteraction_;
-    if (!contacts_.empty())
-      note(
-          fmt::format("{}: contact is by penalty here, of a stiffness at the nodes that the step has room for; "
-                      "contact.penalty sets it",
-                      lines_.where(contacts_.front().position)));
     for (const DeckContact& contact : contacts_) {
       const auto friction = frictions_.find(contact.interaction);
       if (!contact.interaction.empty() && friction == frictions_.end())
@@ -1274,7 +1269,7 @@ class DeckReader : DeckWriter {
       Json entry{{"with", "surface"}};
       if (friction != frictions_.end() && friction->second != 0) entry["friction"] = friction->second;
       if (contact.nodes.empty()) {
-        addEntry("contact", "", entry, contact.position);
+        addContact(entry, "", "", false, contact.position);
         continue;
       }
       // The nodes of each side touch the faces of the other, if it has any.
@@ -1283,14 +1278,7 @@ class DeckReader : DeckWriter {
       if (other.second)
         lines_.failAt(contact.position, fmt::format("*CONTACT PAIR: {} has no faces; a *SURFACE of TYPE=ELEMENT has",
                                                     inQuotes(contact.faces)));
-      const auto write = [&](const std::string& nodes, const std::string& faces) {
-        Json sides = entry;
-        sides["to_set"] = faces;
-        keepApart("contact");
-        addEntry("contact", nodes, sides, contact.position);
-      };
-      write(one.first, other.first);
-      if (!one.second && contact.nodes != contact.faces) write(other.first, one.first);
+      addContact(entry, one.first, other.first, !one.second, contact.position);
     }
   }
   /// The nodes of a surface, "#3,7", and whether it has no faces.

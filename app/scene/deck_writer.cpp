@@ -1,6 +1,7 @@
 #include <ringwatch/app/scene/deck_writer.h>
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -138,7 +139,7 @@ void DeckWriter::addEntry(const std::string& section, const std::string& selecti
   Json entry = Json::object();
   if (!selection.empty())
     entry["set"] = selection;
-  else if (section != "contact" && !rest.contains("rigid"))
+  else if (section != "contact" && section != "obstacle" && !rest.contains("rigid"))
     entry["where"] = "all";
   entry.update(rest);
   list.push_back(std::move(entry));
@@ -175,6 +176,23 @@ void DeckWriter::writeBoundaries() {
     entry.update(table.entries);
     addEntry("move", held.selection, entry, held.position);
   }
+}
+
+void DeckWriter::addContact(const Json& entry, const std::string& nodes, const std::string& faces, bool nodesHaveFaces,
+                            std::size_t position) {
+  if (!std::exchange(contactIsTold_, true))
+    note(
+        fmt::format("{}: contact is by penalty here, of a stiffness at the nodes that the step has room for; "
+                    "contact.penalty sets it",
+                    lines_.where(position)));
+  const auto write = [&](const std::string& own, const std::string& other) {
+    Json sides = entry;
+    if (!other.empty()) sides["to_set"] = other;
+    keepApart("contact");
+    addEntry("contact", own, sides, position);
+  };
+  write(nodes, faces);
+  if (nodesHaveFaces && nodes != faces) write(faces, nodes);
 }
 
 void DeckWriter::writeLoad(const DeckLoad& load) {

@@ -92,6 +92,9 @@ class DeckWriter {
   void writeMaterialList(Json list, const std::vector<std::string>& origins,
                          const std::map<std::string, std::string>& rules);
   void writeBoundaries();
+  /// Contact by penalty of the nodes of each side with the faces of the other, "#3,7" each; of all surfaces without.
+  void addContact(const Json& entry, const std::string& nodes, const std::string& faces, bool nodesHaveFaces,
+                  std::size_t position);
   void writeLoad(const DeckLoad& load);
   void writePressures();
   /// The scene with the note of what was left out.
@@ -125,6 +128,7 @@ class DeckWriter {
   std::unordered_map<std::int64_t, ElementRef> elementOfNumber_;  // the same
   std::optional<DeckFaces> faces_;
   std::map<std::string, Last> last_;  // entries of the sections
+  bool contactIsTold_ = false;
   std::string left_;
 };
 

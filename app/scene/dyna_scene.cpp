@@ -564,6 +564,11 @@ class DynaReader : DeckWriter {
   }
   /// A pressure pushes against the normal that the order of the corners has.
   void pressSegment(const Segment& segment, double factor, const std::string& amplitude, std::size_t position) {
+    const auto [face, outwards] = faceOf(segment);
+    press({face}, outwards ? factor : -factor, amplitude, position);
+  }
+  /// Its face, and whether its corners go round it as seen from outside.
+  std::pair<std::int32_t, bool> faceOf(const Segment& segment) {
     std::vector<std::int32_t> corners;
     for (std::size_t i = 0; i < (segment.nodes[3] == segment.nodes[2] ? 3U : 4U); ++i) {
       const std::vector<std::int32_t> node = nodesOf(fmt::format("#{}", segment.nodes[i]));
@@ -576,7 +581,7 @@ class DynaReader : DeckWriter {
     if (!face)
       lines_.failAt(segment.position, fmt::format("the segment {}: no face of the body's surface has these corners",
                                                   fmt::join(segment.nodes, " ")));
-    press({face->first}, face->second ? factor : -factor, amplitude, position);
+    return *face;
   }
 
   void curve() {
@@ -628,6 +633,113 @@ class DynaReader : DeckWriter {
                       "place at once",
                       held.amplitude));
     return table;
+  }
+
+  // Contact.
+
+  /// A side of a contact: its nodes, "#3,7", "" for all, and whether it has faces.
+  struct Side {
+    std::string nodes;
+    bool hasFaces = true;
+  };
+  Side sideOf(std::int64_t id, std::int64_t kind, const std::string& keyword, std::size_t position) {
+    constexpr std::int64_t segments = 0, partSet = 2, part = 3, nodeSet = 4, all = 5;
+    const auto refuseSide = [&](const std::string& what) {
+      lines_.failAt(position, fmt::format("*{}: {}", keyword, what));
+    };
+    if (kind == all || (id == 0 && kind != nodeSet)) return {};
+    if (kind == nodeSet) {
+      std::set<std::int64_t> numbers;
+      for (const std::int32_t node : nodesOf(detail::dynaNodeSet(id))) numbers.insert(mesh().nodeId(node));
+      if (numbers.empty()) refuseSide(fmt::format("there is no *SET_NODE {}", id));
+      return {fmt::format("#{}", fmt::join(numbers, ",")), false};
+    }
+    std::set<std::int32_t> own;
+    if (kind == segments) {
+      const auto found = segments_.find(id);
+      if (found == segments_.end()) refuseSide(fmt::format("there is no *SET_SEGMENT {}", id));
+      for (const Segment& segment : found->second) own.insert(faceOf(segment).first);
+    } else if (kind == part || kind == partSet) {
+      const std::string name = kind == part ? detail::dynaPart(id) : detail::dynaPartSet(id);
+      const auto found = mesh().elementSets.find(name);
+      if (found == mesh().elementSets.end()) refuseSide(fmt::format("{} has no solid elements", name));
+      if (found->second.size() == mesh().elementCount()) return {};
+      const std::vector<std::int32_t> faces = this->faces().ofElements(found->second);
+      own.insert(faces.begin(), faces.end());
+    } else {
+      refuseSide(fmt::format("sides of type {} are not taken; 0, 2, 3, 4 and 5 are", kind));
+    }
+    const std::vector<std::string> sets = faces().nodeSetsOf({own.begin(), own.end()});
+    if (sets.size() != 1) refuseSide("the faces of a side are not told from others by their nodes");
+    return {sets.front()};
+  }
+  void contact() {
+    const std::string name = keyword_.name;
+    const DynaCard sides = card(0), friction = card(1);
+    for (const auto& [field, what] : {std::pair<std::size_t, const char*>{4, "SBOXID"}, {5, "MBOXID"}})
+      requireZero(sides, field, what, "is of a box; write a set");
+    const double coefficient = friction.real(0, "FS");
+    if (coefficient < 0) refuse(friction.position(), fmt::format("*{}, FS < 0: is of tables", name));
+    if (friction.real(2, "DC") != 0 && friction.real(1, "FD") != coefficient)
+      refuse(friction.position(),
+             fmt::format("*{}, FD and DC: there is one coefficient of friction for all speeds", name));
+    requireZero(friction, 3, "VC", "there is one coefficient of friction for all pressures");
+    requireZero(friction, 6, "BT", "begins within the run");
+    if (const double death = friction.real(7, "DT"); death != 0 && death < never)
+      refuse(friction.position(), fmt::format("*{}, DT: ends within the run", name));
+    constexpr double percent = 100;
+    Json entry{{"with", "surface"}};
+    if (coefficient != 0) entry["friction"] = coefficient;
+    if (const double share = friction.real(4, "VDC"); share != 0) entry["damping"] = share / percent;
+    const bool single = name.ends_with("_SINGLE_SURFACE"), ofNodes = name.ends_with("NODES_TO_SURFACE");
+    const std::array<std::int64_t, 4> given{sides.whole(0, "SSID"), sides.whole(1, "MSID"), sides.whole(2, "SSTYP"),
+                                            sides.whole(3, "MSTYP")};
+    later_.emplace_back([this, entry, name, single, ofNodes, given, at = sides.position()] {
+      const Side one = sideOf(given[0], given[2], name, at);
+      if (single) return addContact(entry, one.nodes, one.nodes, false, at);
+      const Side other = sideOf(given[1], given[3], name, at);
+      if (!other.hasFaces) lines_.failAt(at, fmt::format("*{}: MSID is a set of nodes, which has no faces", name));
+      if (one.nodes.empty() || other.nodes.empty())
+        lines_.failAt(at,
+                      fmt::format("*{}: a side is the whole body; *CONTACT_AUTOMATIC_SINGLE_SURFACE is of all", name));
+      addContact(entry, one.nodes, other.nodes, one.hasFaces && !ofNodes, at);
+    });
+  }
+
+  void wall() {
+    forEachEntry(2, keyword_.titled, DynaLayout::usual, [&](const DynaCard& first, const auto& next) {
+      const DynaCard second = next(1);
+      requireZero(first, 1, "NSIDEX", "leaves nodes out of a set; write the set without them");
+      requireZero(first, 2, "BOXID", "is of nodes in a box; write a set of them");
+      requireZero(first, 3, "OFFSET", "is of nodes within a distance; write a set of them");
+      requireZero(first, 4, "BIRTH", "begins within the run");
+      if (const double death = first.real(5, "DEATH"); death != 0 && death < never)
+        refuse(first.position(), "*RIGIDWALL_PLANAR, DEATH: ends within the run");
+      requireZero(second, 7, "WVEL", "is of a speed of waves");
+      Eigen::Vector3d tail, head;
+      for (std::size_t i = 0; i < 3; ++i) {
+        tail[static_cast<Eigen::Index>(i)] = second.real(i, fmt::format("{}T", "XYZ"[i]));
+        head[static_cast<Eigen::Index>(i)] = second.real(3 + i, fmt::format("{}H", "XYZ"[i]));
+      }
+      if (tail == head) second.fail(3, "XH", "with YH and ZH another point than that of XT, YT and ZT");
+      const double friction = second.real(6, "FRIC");
+      if (friction < 0 || friction >= 1) second.fail(6, "FRIC", ">= 0 and < 1, a coefficient of friction");
+      const std::string name = fmt::format("wall-{}", ++walls_);
+      Json plane{{"kind", "plane"}, {"name", name}, {"point", listOf(tail)}, {"normal", listOf(head - tail)}};
+      Json contact{{"obstacle", name}};
+      if (friction != 0) contact["friction"] = friction;
+      const std::int64_t set = first.whole(0, "NSID");
+      later_.emplace_back([this, plane, contact, set, at = first.position()] {
+        if (forRun())
+          note(
+              fmt::format("{}: *RIGIDWALL_PLANAR: it stops nodes by penalty here, and they part from it; in LS-DYNA it "
+                          "takes their speed against it",
+                          lines_.where(at)));
+        addEntry("obstacle", "", plane, at);
+        keepApart("contact");
+        addEntry("contact", set == 0 ? "" : detail::dynaNodeSet(set), contact, at);
+      });
+    });
   }
 
   // Damping and the step.
@@ -969,6 +1081,7 @@ class DynaReader : DeckWriter {
   std::vector<std::function<void()>> later_;  // entries that need the mesh, and sets below
   std::vector<std::size_t> begun_;            // of each node: 1 + where its initial velocity stands; 0: none
   std::map<std::string, std::pair<std::int64_t, std::size_t>> structures_;  // keyword -> number, first position
+  int walls_ = 0;
   double massDamping_ = 0, quadratic_ = usualQuadratic, linear_ = usualLinear;
   double end_ = 0, stepFactor_ = usualStepFactor, scaledStep_ = 0;
   std::optional<std::size_t> massDampingAt_, viscosityAt_, endAt_, stepAt_;
@@ -1006,6 +1119,12 @@ const DynaReader::Handler DynaReader::handlers[] = {
     {"LOAD_SEGMENT", &DynaReader::segmentLoad},
     {"LOAD_SEGMENT_SET", &DynaReader::segmentLoad},
     {"SET_SEGMENT", &DynaReader::segmentSet},
+    {"RIGIDWALL_PLANAR", &DynaReader::wall},
+    {"CONTACT_AUTOMATIC_SINGLE_SURFACE", &DynaReader::contact},
+    {"CONTACT_AUTOMATIC_SURFACE_TO_SURFACE", &DynaReader::contact},
+    {"CONTACT_AUTOMATIC_NODES_TO_SURFACE", &DynaReader::contact},
+    {"CONTACT_SURFACE_TO_SURFACE", &DynaReader::contact},
+    {"CONTACT_NODES_TO_SURFACE", &DynaReader::contact},
 };
 const std::size_t DynaReader::handlerCount = std::size(handlers);
 

@@ -327,6 +327,10 @@ TEST_F(DynaDecks, UseEveryKeywordThatIsTaken) {
   }
   // Other names of the same.
   text += "\n*SET_PART\n*SET_PART_LIST_GENERATE\n*SET_SOLID_GENERATE\n";
+  // These are in LetSurfacesTouch.
+  for (const std::string name : {"AUTOMATIC_SINGLE_SURFACE", "AUTOMATIC_SURFACE_TO_SURFACE", "SURFACE_TO_SURFACE",
+                                 "AUTOMATIC_NODES_TO_SURFACE", "NODES_TO_SURFACE"})
+    text += "*CONTACT_" + name + "\n*RIGIDWALL_PLANAR\n";
   std::set<std::string> used;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);)
@@ -346,6 +350,69 @@ TEST_F(DynaDecks, UseEveryKeywordThatIsTaken) {
     }
   }
   EXPECT_GT(count, 40);
+}
+
+// A block falls on another: of all surfaces, of two parts, of a set of segments, and of nodes alone.
+TEST_F(DynaDecks, LetSurfacesTouch) {
+  const std::string deck = begin + until(0.05) + part(1, 1, 1) + part(2, 1, 1) + section(1, 2) +
+                           keyword("MAT_ELASTIC", card(1, 1000.0, 3e4, 0.3)) +
+                           nodes({{1, 0, 0, 0, 7},
+                                  {2, 0.1, 0, 0, 7},
+                                  {3, 0.1, 0.1, 0, 7},
+                                  {4, 0, 0.1, 0, 7},
+                                  {5, 0, 0, 0.1},
+                                  {6, 0.1, 0, 0.1},
+                                  {7, 0.1, 0.1, 0.1},
+                                  {8, 0, 0.1, 0.1},
+                                  {11, 0.02, 0.02, 0.101},
+                                  {12, 0.08, 0.02, 0.101},
+                                  {13, 0.08, 0.08, 0.101},
+                                  {14, 0.02, 0.08, 0.101},
+                                  {15, 0.02, 0.02, 0.161},
+                                  {16, 0.08, 0.02, 0.161},
+                                  {17, 0.08, 0.08, 0.161},
+                                  {18, 0.02, 0.08, 0.161}}) +
+                           solids(1, {first}) + solids(2, {{11, 12, 13, 14, 15, 16, 17, 18}}) +
+                           keyword("SET_NODE", card(3), card(11, 12, 13, 14)) + keyword("SET_PART", card(4), card(2)) +
+                           keyword("SET_SEGMENT", card(5), card(5, 6, 7, 8)) +
+                           keyword("INITIAL_VELOCITY_GENERATION", card(2, 2, 0, 0.1, 0, -0.5), card(0));
+  const std::string law = "model = \"corotational\"\nyoung = 3e4\npoisson = 0.3\ndensity = 1000\n";
+  const std::string scene =
+      "[[material]]\nset = \"part-1\"\n" + law + selectiveRule + "[[material]]\nset = \"part-2\"\n" + law +
+      "[[fix]]\nset = \"#1,2,3,4\"\n[[initial]]\nset = \"part-2\"\nvelocity = [0.1, 0, -0.5]\n" + viscosity;
+  const std::string contact = "[[contact]]\nwith = \"surface\"\n", friction = "friction = 0.2\n";
+  const std::string lower = "set = \"#1,2,3,4,5,6,7,8\"\n", upper = "set = \"#11,12,13,14,15,16,17,18\"\n",
+                    top = "set = \"#5,6,7,8\"\n", under = "set = \"#11,12,13,14\"\n";
+  const auto expect = [&](const std::string& name, const std::string& cards, const std::string& sections) {
+    SCOPED_TRACE(name + cards);
+    expectSame("deck.k", deck + keyword(name, cards) + ending, scene + sections, integrator(0.05));
+    const Table rows = table("d/history.csv");
+    EXPECT_LT(rows.number(rows.rows.size() - 1, "kinetic_J"), 0.98 * rows.number(0, "kinetic_J"));  // it has touched
+    EXPECT_THAT(out_, HasSubstr("by penalty here"));
+  };
+  expect("CONTACT_AUTOMATIC_SINGLE_SURFACE_ID", "         1 all\n" + card(0) + card(0.2, 0.2, 0, 0, 10) + card(0),
+         contact + friction + "damping = 0.1\n");
+  expect("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE", card(4, 1, 2, 3) + card(0.2),
+         contact + friction + upper + "to_" + lower + contact + friction + lower + "to_" + upper);
+  expect("CONTACT_NODES_TO_SURFACE", card(3, 5, 4, 0) + card(0), contact + under + "to_" + top);
+  expect("CONTACT_AUTOMATIC_NODES_TO_SURFACE", card(2, 5, 3, 0) + card(0), contact + upper + "to_" + top);
+  // On walls, of all nodes and of a set.
+  const std::string wall =
+      "[[obstacle]]\nname = \"floor\"\nkind = \"plane\"\npoint = [0, 0, 0.1]\nnormal = [0, 0, "
+      "2]\n[[contact]]\nobstacle = \"floor\"\n";
+  expect("RIGIDWALL_PLANAR_ID", "         1\n" + card(3) + card(0, 0, 0.1, 0, 0, 2.1, 0.3),
+         wall + "set = \"nodeset-3\"\nfriction = 0.3\n");
+  const auto refused = [&](const std::string& name, const std::string& cards, const std::string& what) {
+    refuseAlways(deck + keyword(name, cards) + ending, what);
+  };
+  refused("CONTACT_SURFACE_TO_SURFACE", card(1, 2, 3, 3) + card(0.3, 0.1, 5.0), "FD and DC: there is one coefficient");
+  refused("CONTACT_SURFACE_TO_SURFACE", card(1, 9, 3, 3) + card(0), "part-9 has no solid elements");
+  refused("CONTACT_SURFACE_TO_SURFACE", card(1, 9, 3, 0) + card(0), "there is no *SET_SEGMENT 9");
+  refused("CONTACT_SURFACE_TO_SURFACE", card(1, 3, 3, 4) + card(0), "MSID is a set of nodes, which has no faces");
+  refused("CONTACT_SURFACE_TO_SURFACE", card(1, 0, 3, 5) + card(0), "a side is the whole body");
+  refused("CONTACT_SURFACE_TO_SURFACE", card(1, 2, 3, 3) + card(0, 0, 0, 0, 0, 0, 0.5), "BT = 0.5: begins within the");
+  refused("RIGIDWALL_PLANAR", card(0) + card(0, 0, 0, 0, 0, 1, 1.0), "field 7 of *RIGIDWALL_PLANAR, FRIC, is \"1\"");
+  refused("CONTACT_TIED_NODES_TO_SURFACE", card(1), "of contact AUTOMATIC_SINGLE_SURFACE, SURFACE_TO_SURFACE");
 }
 
 TEST_F(DynaDecks, AreReadAsMeshes) {
@@ -393,9 +460,10 @@ TEST_F(DynaDecks, TellTheStepAndTheMassOfLsDyna) {
 // Every one with its line; `inspect` passes over what does not matter at rest.
 TEST_F(DynaDecks, RefuseWhatWouldChangeTheMotion) {
   refuseAlways(
-      block("*CONTACT_AUTOMATIC_SINGLE_SURFACE\n*CONSTRAINED_RIGID_BODIES\n"),
-      "deck.k:41: *CONTACT_AUTOMATIC_SINGLE_SURFACE: contact is not taken from LS-DYNA decks; [[contact]] of a "
-      "scene has it; and 1 more: deck.k:42: *CONSTRAINED_RIGID_BODIES: ties degrees of freedom");
+      block("*CONTACT_ERODING_SINGLE_SURFACE\n*CONSTRAINED_RIGID_BODIES\n"),
+      "deck.k:41: *CONTACT_ERODING_SINGLE_SURFACE: of contact AUTOMATIC_SINGLE_SURFACE, SURFACE_TO_SURFACE and "
+      "NODES_TO_SURFACE, the latter AUTOMATIC too, are taken; and 1 more: deck.k:42: *CONSTRAINED_RIGID_BODIES: ties "
+      "degrees of freedom");
   refuseAlways(block("*NEW_THING\n"), "deck.k:41: *NEW_THING is not known");
   refuseAlways(block("*PARAMETER\nR  x  1\n"), "*PARAMETER: is not followed");
   refuseAlways(block("*INITIAL_STRESS_SOLID\n"), "*INITIAL_STRESS_SOLID: changes the tangent");
@@ -405,7 +473,8 @@ TEST_F(DynaDecks, RefuseWhatWouldChangeTheMotion) {
   refuseAlways(block("", 18), "*SECTION_SOLID 1, ELFORM = 18: there is no such element");
   refuseAlways(block("", 3), "*SECTION_SOLID 1, ELFORM = 3: its nodes turn, and ours do not");
   refuseAlways(block("", 10), "ELFORM = 10: it is no formulation of the hex8 of this part");
-  for (const std::string more : {"*RIGIDWALL_PLANAR\n", "*LOAD_THERMAL_CONSTANT\n", "*CONTROL_IMPLICIT_EIGENVALUE\n"}) {
+  for (const std::string more :
+       {"*RIGIDWALL_PLANAR_MOVING\n", "*LOAD_THERMAL_CONSTANT\n", "*CONTROL_IMPLICIT_EIGENVALUE\n"}) {
     refuse(block(more), more.substr(0, more.size() - 1));
     EXPECT_EQ(call("inspect deck.k").status, 0);
   }
