@@ -97,12 +97,17 @@ class DynaReader : DeckWriter {
     writeDamping();
     writeIntegrator();
     writeRigidParts();
+    std::erase_if(boundaries_, [&](const DeckBoundary& held) { return isOfOthers(held.selection); });
+    std::erase_if(loads_, [&](const DeckLoad& load) { return isOfOthers(load.selection); });
     writeBoundaries();
     for (const auto& write : later_) write();
     for (const DeckLoad& load : loads_) writeLoad(load);
     writePressures();
     throwRefused();
     tellStep();
+    if (others_ > 0)
+      note(fmt::format("{}: {} supports, loads, masses or velocities left out, which are of nodes of no solid element",
+                       file_.string(), others_));
     for (const auto& [keyword, count] : structures_)
       note(fmt::format(
           "{}: *{}, {} {}: elements that are no solids are left out, and the body is without their stiffness "
@@ -371,10 +376,28 @@ class DynaReader : DeckWriter {
       const double mass = card.real(2, "MASS");
       if (mass == 0) return;
       later_.emplace_back([this, node, mass, position = card.position()] {
+        if (isOfOthers(node)) return;
         keepApart("mass");  // the mass of an entry is that of all its nodes
         addEntry("mass", node, {{"mass", mass}}, position);
       });
     });
+  }
+
+  /// Whether a selection is of nodes of elements alone that are left out, or of parts of them; counts those.
+  bool isOfOthers(const std::string& selection) {
+    if (structures_.empty() || selection.empty()) return false;
+    if (ofSolids_.empty()) {
+      ofSolids_.resize(mesh().nodeCount(), false);
+      for (const MeshBlock& block : mesh().blocks)
+        for (const std::int32_t node : block.connectivity) ofSolids_[static_cast<std::size_t>(node)] = true;
+    }
+    const std::vector<std::int32_t> nodes = nodesOf(selection);
+    const bool isOther =
+        nodes.empty()
+            ? selection.starts_with("part")
+            : std::ranges::none_of(nodes, [&](std::int32_t node) { return ofSolids_[static_cast<std::size_t>(node)]; });
+    if (isOther) ++others_;
+    return isOther;
   }
 
   // What is held, moved and loaded.
@@ -478,6 +501,7 @@ class DynaReader : DeckWriter {
   void addInitial(const std::string& selection, const Json& entry, std::size_t position) {
     if (!forRun()) return;
     later_.emplace_back([this, selection, entry, position] {
+      if (isOfOthers(selection)) return;
       begun_.resize(mesh().nodeCount(), 0);
       const auto take = [&](std::int32_t node) {
         std::size_t& by = begun_[static_cast<std::size_t>(node)];
@@ -1081,7 +1105,8 @@ class DynaReader : DeckWriter {
   std::vector<std::function<void()>> later_;  // entries that need the mesh, and sets below
   std::vector<std::size_t> begun_;            // of each node: 1 + where its initial velocity stands; 0: none
   std::map<std::string, std::pair<std::int64_t, std::size_t>> structures_;  // keyword -> number, first position
-  int walls_ = 0;
+  std::vector<bool> ofSolids_;                                              // of each node, once asked for
+  int walls_ = 0, others_ = 0;
   double massDamping_ = 0, quadratic_ = usualQuadratic, linear_ = usualLinear;
   double end_ = 0, stepFactor_ = usualStepFactor, scaledStep_ = 0;
   std::optional<std::size_t> massDampingAt_, viscosityAt_, endAt_, stepAt_;

@@ -43,7 +43,7 @@ class DynaMesh {
         builder_(
             source_, [this](std::size_t p) { return lines_.where(p); },
             [this](std::size_t p) { return lines_.where(p); }) {
-    builder_.noVolumeHint = "; *ELEMENT_SOLID has them";
+    builder_.noVolumeHint = "; this is an LS-DYNA deck, in which *ELEMENT_SOLID has them";
   }
 
   Mesh read(Notes* notes, Problems* problems) {

@@ -259,12 +259,16 @@ std::vector<Case> cases() {
            "50, 0]\n[[pressure]]\nset = \"#9,10,11,12\"\npressure = 1e4\n[[pressure]]\nset = \"#5,6,7,8\"\npressure = "
            "-1e4\n",
        integrator(1e-4),
-       "more.k:4: *ELEMENT_SHELL, 2 of them: elements that are no solids are left out, and the body is without",
+       "more.k:4: *ELEMENT_SHELL, 3 of them: elements that are no solids are left out, and the body is without",
        {{"mesh.k", cubes() + ending},
         {"more.k",
          "*ELEMENT_MASS\n     301       9             0.5       1\n     302      10             0.5\n"
          "*ELEMENT_SHELL\n     401       9       1       2       3       4\n     402       9       1       4  "
-         "     8       5\n*ELEMENT_BEAM\n     403       9       1       4\n*SECTION_SHELL\n         9\n"}}});
+         "     8       5\n*ELEMENT_BEAM\n     403       9       1       4\n*SECTION_SHELL\n         9\n*NODE\n      31 "
+         "            0.5\n*ELEMENT_SHELL\n     404       9      "
+         " 2       3      31      31\n" +
+             keyword("BOUNDARY_SPC_NODE", card(31, 0, 1, 1, 1)) + keyword("INITIAL_VELOCITY_NODE", card(31, 1.0)) +
+             keyword("INITIAL_VELOCITY_GENERATION", card(9, 2, 0, 1.0), card(0))}}});
   // Damping of stiffness of a part, numbers of ten columns, nodes that *NODE holds, and one that moves.
   all.push_back(
       {"damped",
@@ -316,6 +320,18 @@ TEST_F(DynaDecks, AreTheScenesThatTheyStandFor) {
     expectSame(one.name + ".k", one.deck, one.scene, one.integrator);
     EXPECT_THAT(out_, HasSubstr(one.told));
   }
+}
+
+// Shells and beams are left out with what is of their nodes.
+TEST_F(DynaDecks, TellWhatGoesWithShells) {
+  const std::vector<Case> all = cases();
+  const Case& one = *std::ranges::find(all, "included", &Case::name);
+  for (const auto& [file, text] : one.files) folder_.write(file, text);
+  folder_.write("deck.k", one.deck);
+  const std::string out = call("run deck.k --out d --set output.picture=false").out;
+  EXPECT_THAT(out, HasSubstr("more.k:7: *ELEMENT_BEAM, 1 of them: elements that are no solids"));
+  EXPECT_THAT(out,
+              HasSubstr("deck.k: 3 supports, loads, masses or velocities left out, which are of nodes of no solid"));
 }
 
 // The decks above use all that is taken.
@@ -543,7 +559,7 @@ TEST_F(DynaDecks, NameRadiossDecksAndDecksWithoutSolids) {
   for (const std::string command : {"inspect deck.k", "mesh check deck.k", "run deck.k"})
     expectRefused(command,
                   "deck.k: there are no volume elements, only 0 of surfaces, lines or points; a mesh of "
-                  "tetrahedra or hexahedra is needed; *ELEMENT_SOLID has them");
+                  "tetrahedra or hexahedra is needed; this is an LS-DYNA deck, in which *ELEMENT_SOLID has them");
 }
 
 }  // namespace
