@@ -1343,7 +1343,7 @@ class DeckReader : DeckWriter {
   std::vector<DeckScaling> scalings_;
   std::vector<DeckRigid> rigids_;
   std::map<std::string, std::string> points_;  // of node sets, as nodeSets_: pointOf the only node, or severalNodes
-  std::optional<std::size_t> viscosityAt_;  // of *BULK VISCOSITY
+  std::optional<std::size_t> viscosityAt_;     // of *BULK VISCOSITY
   std::map<std::string, Surface> surfaces_;
   Surface* surface_ = nullptr;
   std::vector<DeckContact> contacts_;

@@ -23,6 +23,8 @@ constexpr float unbounded = 1e30F;
 constexpr double majorantError = 64 * unitRoundoff;
 /// Of F - T A and of sums of a few squares, relative.
 constexpr double motionRounding = 1e-12;
+/// Kept free of an eigenvalue that is wanted, for bounds of nodes in single precision, relative.
+constexpr double levelRounding = 1e-6;
 /// Iterations for the vector that scales the Laplacian (Collatz-Wielandt): later ones gain little on any mesh.
 constexpr int laplacianSweeps = 12;
 /// A value below which an element has no stiffness, N/m.
@@ -545,7 +547,7 @@ void MovedBound::build(NodeVectorsView x, double wanted) {
   weights_.releaseSums();
   std::vector<std::int32_t> all(body_.nodeCount());
   std::iota(all.begin(), all.end(), 0);
-  level_ = wanted * (1 - motionRounding);
+  level_ = wanted * (1 - levelRounding);
   room_ = infinity;
   settle(all);
   for (std::int32_t i = 0; i < body_.nodeCount(); ++i) nodes_[i].anchored = own_[i];
@@ -607,7 +609,7 @@ void MovedBound::findBound() { bound_ = (1 + motionRounding) * largestOf(whole_)
 
 void MovedBound::followLevel(double wanted) {
   const double highest = largestOf(own_);
-  const double target = std::max(wanted * (1 - motionRounding), highest * (1 + policy_.slack) / (1 + eta_)),
+  const double target = std::max(wanted * (1 - levelRounding), highest * (1 + policy_.slack) / (1 + eta_)),
                tolerated = 1 + policy_.tolerance * policy_.slack;
   if (target * tolerated < level_) {
     level_ = target;
@@ -692,6 +694,13 @@ double MovedBound::verify(NodeVectorsView x) const {
       for (const std::int32_t node : nodes)
         if (!isHeld(body_, node) && nodes_[node].ball < unbounded)
           ball = std::min(ball, static_cast<double>(nodes_[node].ball));
+      // Inside its ball the element adds no more than its nodes allow.
+      if (const double radius = elements_[b].balls.radius(place); ball < infinity && radius >= 0 && radius < infinity) {
+        const double eta = pack.eta[lane], uneven = pack.uneven[lane];
+        const TangentGrowth growth{0, pack.linear[lane], pack.quadratic[lane] + (1 + 1 / eta) * pack.kappa[lane],
+                                   infinity};
+        excess = std::max(excess, (growth.at(uneven + radius) - growth.at(uneven) - ball) / ball);
+      }
       block.tangentOf(elements, x.data(), reinterpret_cast<double*>(K.data()),
                       reinterpret_cast<double*>(rounding.data()));
       Eigen::MatrixXd own = Eigen::MatrixXd::Zero(size, size), majorant = own;
@@ -728,7 +737,8 @@ double MovedBound::verify(NodeVectorsView x) const {
         S += needed[place];
       }
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(freePart(body_, i, S), Eigen::EigenvaluesOnly);
-    excess = std::max(excess, solver.eigenvalues()[2] / body_.lumpedMass()[i] / bound_ - 1);
+    if (solver.eigenvalues()[2] > 0)
+      excess = std::max(excess, solver.eigenvalues()[2] / body_.lumpedMass()[i] / whole_[i] - 1);
   }
   return excess;
 }

@@ -2,6 +2,7 @@
 // statements, and what it costs where a body only turns or stretches evenly.
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <ringwatch/base/error.h>
@@ -26,7 +27,8 @@ INSTANTIATE_TEST_SUITE_P(Subdivisions, MovedBoundTest, ::testing::ValuesIn(test:
 NodeVectors pathState(const NodeVectors& X, double at, const NodeVectors& shake) {
   const double stretch = at < 0.6 ? 1 + 0.5 * at : at < 0.8 ? 1.3 - 1.5 * (at - 0.6) : 1;
   const Eigen::AngleAxisd turn(2 * at, Eigen::Vector3d(1, 2, 3).normalized());
-  return turn * (Eigen::Vector3d(stretch, 1 - 0.2 * at, 1).asDiagonal() * X) + std::sin(20 * at) * shake;
+  return turn.toRotationMatrix() * (Eigen::Vector3d(stretch, 1 - 0.2 * at, 1).asDiagonal() * X) +
+         std::sin(20 * at) * shake;
 }
 
 TEST_P(MovedBoundTest, HoldsAtEveryStateOfAPath) {
@@ -80,7 +82,7 @@ TEST_P(MovedBoundTest, TurnsWithABodyThatEvaluatesNothing) {
     double highest = 0;
     for (int step = 1; step <= 50; ++step) {
       const Eigen::AngleAxisd turn(0.06 * step, Eigen::Vector3d(3, 1, 2).normalized());
-      const NodeVectors x = turn * X;
+      const NodeVectors x = turn.toRotationMatrix() * X;
       highest = std::max(highest, bound.update(x).value);
       EXPECT_EQ(bound.statistics().evaluated, 0) << law.name;
       EXPECT_LE(bound.verify(x), rounding) << law.name;
@@ -106,6 +108,57 @@ TEST(MovedBound, FollowsAnEvenStretchOfStVenantKirchhoff) {
     EXPECT_EQ(bound.statistics().evaluated, 0);
     // The largest stretch and the stress count in all directions, along and across the pull.
     EXPECT_LE(value, 1.45 * looseAtRest * DenseTangent(body, x).largest()) << step;
+  }
+}
+
+/// Anchored under stress, and moved far from there with large balls: every term of the transport counts.
+TEST_P(MovedBoundTest, HoldsFarFromAnAnchorUnderStress) {
+  for (const char* law : {"stvk", "neo-hookean"}) {
+    Body body = test::boxBody(GetParam(), law);
+    const NodeVectors& X = body.mesh().X;
+    test::Random random(4);
+    const NodeVectors shake = random.nodeVectors(X.cols(), 0.1 * test::cellSize);
+    MovedBound bound(body, {.slack = 0.6});
+    for (int step = 0; step <= 30; ++step) {
+      const double at = step / 30.0;
+      const Eigen::Vector3d stretches = (1 - at) * Eigen::Vector3d(1.4, 1, 0.85) + at * Eigen::Vector3d(0.85, 1.5, 1.1);
+      const NodeVectors x = stretches.asDiagonal() * X + at * std::sin(8 * at) * shake;
+      ASSERT_GE(bound.update(x).value, DenseTangent(body, x).largest() * (1 - rounding)) << law << step;
+      EXPECT_LE(bound.verify(x), rounding) << law << step;
+    }
+  }
+}
+
+/// By the 9×9 matrix of the form tr(G S(F) Gᵀ) - (1+η) tr(G S(A) Gᵀ T Tᵀ) of dF = G, row by row.
+TEST(MovedMajorant, BoundsTheGrowthOfTheGeometricStiffness) {
+  const Lame constants{6e5, 4e5};
+  test::Random random(8);
+  for (int trial = 0; trial < 2000; ++trial) {
+    Matrix3<NativePack> A, F, T;
+    Eigen::Matrix3d a, f, t;
+    for (int i = 0; i < 9; ++i) {
+      a(i / 3, i % 3) = (i % 4 == 0) + random.uniform(-0.4, 0.4);
+      t(i / 3, i % 3) = (i % 4 == 0) + random.uniform(-0.4, 0.4);
+    }
+    f = t * a;
+    for (int i = 0; i < 9; ++i) {
+      A.m[i] = NativePack(a(i / 3, i % 3));
+      T.m[i] = NativePack(t(i / 3, i % 3));
+      F.m[i] = NativePack(f(i / 3, i % 3));
+    }
+    const double eta = random.uniform(0, 0.3);
+    const auto stressOf = [&](const Eigen::Matrix3d& gradient) -> Eigen::Matrix3d {
+      const Eigen::Matrix3d E = 0.5 * (gradient.transpose() * gradient - Eigen::Matrix3d::Identity());
+      return constants.lambda * E.trace() * Eigen::Matrix3d::Identity() + 2 * constants.mu * E;
+    };
+    const Eigen::Matrix3d now = stressOf(f), before = stressOf(a), stretch = t * t.transpose();
+    Eigen::Matrix<double, 9, 9> form;
+    for (int i = 0; i < 9; ++i)
+      for (int j = 0; j < 9; ++j)
+        form(i, j) =
+            (i / 3 == j / 3 ? now(i % 3, j % 3) : 0) - (1 + eta) * stretch(i / 3, j / 3) * before(i % 3, j % 3);
+    const double exact = Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 9, 9>>(form).eigenvalues()[8];
+    EXPECT_GE(geometricGrowth(constants, F, A, T, NativePack(eta), 0)[0], exact - 1e-6) << trial;
   }
 }
 
