@@ -63,11 +63,12 @@ bool RunRepeats::returnToCertified() {
   return true;
 }
 
-/// The safe one where the report has a bracket; not less than half, since a state that went unstable says little of the
-/// one that it came from.
+/// The safe one where that state has a bracket, and it is smaller; not less than half, since a state that went unstable
+/// says little of the one that it came from.
 double RunRepeats::smallerStep(const MonitorReport& report) const {
-  const double half = 0.5 * run_.steps.step();
-  return report.bracket ? std::max(half, run_.scene.safety * report.bracket->safe) : half;
+  const double step = run_.steps.step(), half = 0.5 * step;
+  const double safe = report.bracket && report.fresh ? run_.scene.safety * report.bracket->safe : half;
+  return safe < step ? std::max(half, safe) : half;
 }
 
 void RunRepeats::restore(const Kept& kept) {
@@ -81,6 +82,8 @@ void RunRepeats::restore(const Kept& kept) {
   run_.steps.resume(kept.steps);
   run_.lastVerdict = kept.lastVerdict;
   resumeMotion(run_.body.constraints(), kept.moved);
+  // The forces of that time: the next change of forces is counted from them.
+  run_.loads.setForces(run_.state.time, run_.state.x);
   LoadingArchive archive(kept.memory);
   run_.archive(archive);
   archive.end();

@@ -65,6 +65,43 @@ TEST_F(Repeats, GoesBackToTheStartAndIsTheRunWithTheSmallerStep) {
   EXPECT_EQ(summary["frames"], json("direct/summary.json")["frames"]);
 }
 
+/// By the step that a run goes back to, a timed load has done the work that it had done there the first time.
+TEST_F(Repeats, CountsTheWorkOfTimedLoadsOnce) {
+  folder_.write("timed.toml", R"toml([mesh]
+generate = "bar"
+size = [0.2, 0.04, 0.04]
+cells = [6, 2, 2]
+element = "tet4"
+[material]
+model = "neo-hookean"
+young = 30e3
+poisson = 0.3
+density = 1000
+[integrator]
+method = "verlet"
+step = 2e-3
+end = 0.15
+[monitor]
+mode = "bracket"
+every = 10
+[[fix]]
+where = "x < 1e-6"
+[[force]]
+where = "x > 0.2 - 1e-6"
+force = [6,0,0]
+factor = "sin(20*t)"
+)toml");
+  ASSERT_LE(call("run timed.toml --out direct --set output.picture=false").status, 1);
+  const Outcome outcome = call("run timed.toml --out r --set output.picture=false --set monitor.on_violation=repeat");
+  ASSERT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+  const Table rows = table("r/history.csv"), direct = table("direct/history.csv");
+  std::size_t compared = 0;
+  for (; compared < rows.rows.size() && rows.at(compared, "time_s") == direct.at(compared, "time_s"); ++compared)
+    EXPECT_EQ(rows.at(compared, "external_work_J"), direct.at(compared, "external_work_J")) << compared;
+  EXPECT_GT(compared, 10);
+  EXPECT_LT(compared, rows.rows.size());
+}
+
 TEST_F(Repeats, ComesToTheStatesOfTheStepsThatAreLeft) {
   const double h = 0.999 * startStep();
   const Outcome outcome =
