@@ -35,7 +35,9 @@ constexpr DeckKeywordRule dynaRules[] = {
     {DeckRule::harmless,
      "TITLE COMMENT CONTROL_ENERGY CONTROL_OUTPUT CONTROL_ACCURACY CONTROL_CPU CONTROL_PARALLEL CONTROL_MPP_* "
      "CONTROL_SHELL CONTROL_SOLID CONTROL_CONTACT CONTROL_RIGID CONTROL_STRUCTURED* CONTROL_UNITS CONTROL_CHECK_* "
-     "CONTROL_DEBUG CONTROL_LSDA CONTROL_REQUIRE_REVISION CONTROL_SPH CONTROL_ALE DEFINE_* "
+     "CONTROL_DEBUG CONTROL_LSDA CONTROL_REQUIRE_REVISION CONTROL_SPH CONTROL_ALE DEFINE_BOX* DEFINE_COORDINATE_* "
+     "DEFINE_CURVE_* DEFINE_FRICTION* DEFINE_FUNCTION* "
+     "DEFINE_SD_ORIENTATION DEFINE_TABLE* DEFINE_TRANSFORMATION DEFINE_VECTOR* "
      "PARAMETER_DUPLICATION SET_SHELL* SET_BEAM* SET_TSHELL* SET_DISCRETE* SET_BOX* INTERFACE_COMPONENT* "
      "INTERFACE_SPRINGBACK*"},
     {DeckRule::harmless, "SECTION_* EOS_* MAT_*", unlessSolid},
@@ -44,8 +46,9 @@ constexpr DeckKeywordRule dynaRules[] = {
      "is no explicit step, in which bodies move from rest"},
     {DeckRule::procedure, "CONTROL_ADAPTIVE* CONTROL_REMESHING* CONTROL_REFINE_*", "makes elements along a run"},
     {DeckRule::load, "LOAD_* BOUNDARY_PRESCRIBED_* RIGIDWALL_*", notByRun},
-    {DeckRule::load, "TERMINATION_* SENSOR_* DEFORMABLE_TO_RIGID* RIGID_DEFORMABLE* DELETE_* CHANGE_* CONTROL_* CASE*",
-     mayEnd},
+    {DeckRule::load, "TERMINATION_* SENSOR_* DEFORMABLE_TO_RIGID* RIGID_DEFORMABLE* DELETE_* CHANGE_* CASE*", mayEnd},
+    {DeckRule::refused, "CONTROL_* DEFINE_*",
+     "may change what the body is, or when parts of it act, and is not known here"},
     {DeckRule::refused, "INCLUDE_* PARAMETER*",
      "is not followed; write the lines and numbers that it stands for, or put the file in by *INCLUDE"},
     {DeckRule::refused, "NODE_* ELEMENT_SOLID_* ELEMENT_GENERATE* SET_* PART_* PERTURBATION_*",

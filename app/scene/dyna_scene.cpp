@@ -35,6 +35,8 @@ constexpr double usualStepFactor = 0.9, usualQuadratic = 1.5, usualLinear = 0.06
 constexpr double poissonOfBlatzKo = 0.463;
 /// Hourglass controls up to this one are viscous, those above are of stiffness.
 constexpr std::int64_t lastViscous = 3;
+/// IDRFLG of no relaxation, whatever curves say.
+constexpr std::int64_t noRelaxation = -999;
 /// Times at which nothing ends.
 constexpr double never = 1e20;
 
@@ -202,6 +204,11 @@ class DynaReader : DeckWriter {
   void requireZero(const DynaCard& card, std::size_t i, std::string_view name, std::string_view why) {
     if (card.real(i, name) != 0)
       refuse(card.position(), fmt::format("*{}, {} = {}: {}", keyword_.name, name, card.field(i), why));
+  }
+  /// A factor that is 1 where the field is blank or zero.
+  static double scaleOf(const DynaCard& card, std::size_t i, std::string_view name) {
+    const double value = card.real(i, name);
+    return value == 0 ? 1 : value;
   }
   template <class Map>
   void refuseSecond(const Map& known, std::int64_t id, const DynaCard& card) {
@@ -434,7 +441,7 @@ class DynaReader : DeckWriter {
         refuse(card.position(), fmt::format("*{}, DEATH = {}: ends within the run", keyword_.name, card.field(6)));
       DeckBoundary moved{.selection = ofRigid ? "" : nodesNamed(card, 0),
                          .components = std::string(1, static_cast<char>('x' + dof - 1)),
-                         .value = card.real(4, "SF", 1),
+                         .value = scaleOf(card, 4, "SF"),
                          .velocity = kind == 0,
                          .amplitude = std::to_string(card.id(3, "LCID")),
                          .position = card.position()};
@@ -528,7 +535,7 @@ class DynaReader : DeckWriter {
                       fmt::format("*{}, DOF = {}: forces along 1, 2 and 3 are taken", keyword_.name, dof));
       requireZero(card, 4, "CID", turnedAxes);
       loads_.push_back({.selection = nodesNamed(card, 0),
-                        .value = card.real(3, "SF", 1) * Eigen::Vector3d::Unit(dof - 1),
+                        .value = scaleOf(card, 3, "SF") * Eigen::Vector3d::Unit(dof - 1),
                         .amplitude = std::to_string(card.id(2, "LCID")),
                         .position = card.position()});
     });
@@ -538,7 +545,7 @@ class DynaReader : DeckWriter {
     const DynaCard own = card(0);
     requireZero(own, 6, "CID", turnedAxes);
     Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();
-    acceleration[keyword_.name.back() - 'X'] = -own.real(1, "SF", 1);
+    acceleration[keyword_.name.back() - 'X'] = -scaleOf(own, 1, "SF");
     loads_.push_back({.selection = "",
                       .value = acceleration,
                       .acceleration = true,
@@ -571,7 +578,7 @@ class DynaReader : DeckWriter {
       const std::size_t curve = set ? 1 : 0;
       requireZero(card, curve + 2, "AT", "begins within the run");
       const std::string amplitude = std::to_string(card.id(curve, "LCID"));
-      const double factor = card.real(curve + 1, "SF", 1);
+      const double factor = scaleOf(card, curve + 1, "SF");
       const std::int64_t id = set ? card.id(0, "SSID") : 0;
       std::vector<Segment> own;
       if (!set) own.push_back(segmentOf(card, 3));
@@ -612,13 +619,8 @@ class DynaReader : DeckWriter {
     const DynaCard first = card(0);
     const std::int64_t id = first.id(0, "LCID");
     refuseSecond(curves_, id, first);
-    if (first.whole(1, "SIDR") == 1)
-      return refuse(first.position(), "*DEFINE_CURVE, SIDR = 1: is of dynamic relaxation alone");
-    const auto scale = [&](std::size_t i, std::string_view name) {
-      const double value = first.real(i, name);
-      return value == 0 ? 1 : value;
-    };
-    const double ofTime = scale(2, "SFA"), ofValue = scale(3, "SFO"), time = first.real(4, "OFFA"),
+    requireZero(first, 1, "SIDR", "is of dynamic relaxation, which loads the body before the run");
+    const double ofTime = scaleOf(first, 2, "SFA"), ofValue = scaleOf(first, 3, "SFO"), time = first.real(4, "OFFA"),
                  value = first.real(5, "OFFO");
     DynaCurve made{{}, {}, first.position()};
     for (std::size_t i = 1; i < cardCount(); ++i) {
@@ -709,6 +711,10 @@ class DynaReader : DeckWriter {
              fmt::format("*{}, FD and DC: there is one coefficient of friction for all speeds", name));
     requireZero(friction, 3, "VC", "there is one coefficient of friction for all pressures");
     requireZero(friction, 6, "BT", "begins within the run");
+    for (const auto& [field, what] : {std::pair<std::size_t, const char*>{6, "FSF"}, {7, "VSF"}})
+      if (scaleOf(card(2), field, what) != 1)
+        refuse(card(2).position(),
+               fmt::format("*{}, {} = {}: scales friction; write the product", name, what, card(2).field(field)));
     if (const double death = friction.real(7, "DT"); death != 0 && death < never)
       refuse(friction.position(), fmt::format("*{}, DT: ends within the run", name));
     constexpr double percent = 100;
@@ -791,6 +797,8 @@ class DynaReader : DeckWriter {
   }
   void bulkViscosity() {
     const DynaCard own = card(0);
+    if (const std::int64_t type = own.whole(2, "TYPE"); type != 0 && type != 1)
+      refuse(own.position(), fmt::format("*{}, TYPE = {}: 1 is taken", keyword_.name, type));
     if (const double q = own.real(0, "Q1"); q != 0) quadratic_ = q;
     if (const double q = own.real(1, "Q2"); q != 0) linear_ = q;
     viscosityAt_ = own.position();
@@ -831,6 +839,8 @@ class DynaReader : DeckWriter {
       refuse(own.position(), fmt::format("*CONTROL_TIMESTEP, DT2MS = {}: gives every element the same step, also those "
                                          "that need no mass; DT2MS < 0 is taken",
                                          own.field(4)));
+    requireZero(second, 0, "DT2MSF", "scales masses; DT2MS < 0 is taken");
+    requireZero(second, 1, "DT2MSLC", "scales masses by a curve; DT2MS < 0 is taken");
     requireZero(second, 2, "IMSCL", "scales masses by a matrix");
     if (!forRun()) return;
     requireZero(own, 6, "ERODE", "takes elements out of the body; [erosion] of a scene does that");
@@ -851,6 +861,7 @@ class DynaReader : DeckWriter {
         {"CONTROL_DYNAMIC_RELAXATION", 7, "IDRFLG", "relaxes the body before the run"},
         {"CONTROL_IMPLICIT_GENERAL", 0, "IMFLAG", "is implicit, and the scheme here is explicit"}};
     const auto* own = std::ranges::find(switches, keyword_.name, &Switch::keyword);
+    if (own->name == "IDRFLG" && card(0).whole(own->field, own->name) == noRelaxation) return;
     requireZero(card(0), own->field, own->name, own->why);
   }
   void writeIntegrator() {
@@ -880,7 +891,14 @@ class DynaReader : DeckWriter {
         const double of = density * std::abs(own.volume);
         mass += of;
         ++count;
-        if (elementInfo(block.type).order > 1) continue;
+        if (elementInfo(block.type).order > 1) {
+          if (scaledStep_ < 0)
+            throw InputError(
+                fmt::format("{}: *CONTROL_TIMESTEP, DT2MS: the mass that it adds to elements of ten nodes is "
+                            "not known; take it out, or the elements",
+                            where));
+          continue;
+        }
         const double step = std::abs(own.minHeight) / speed;
         if (step < least) {
           least = step;

@@ -482,6 +482,13 @@ TEST_F(DynaDecks, RefuseWhatWouldChangeTheMotion) {
       "degrees of freedom");
   refuseAlways(block("*NEW_THING\n"), "deck.k:41: *NEW_THING is not known");
   refuseAlways(block("*PARAMETER\nR  x  1\n"), "*PARAMETER: is not followed");
+  for (const char* more : {"*CONTROL_TIMESTP\n", "*DEFINE_ELEMENT_DEATH_SOLID\n", "*DEFINE_DEATH_TIMES_NODES\n",
+                           "*DEFINE_STAGED_CONSTRUCTION_PART\n"})
+    refuseAlways(block(more), "may change what the body is");
+  refuseAlways(block(keyword("CONTROL_TIMESTEP", card(0), card(2.0))), "DT2MSF = 2");
+  refuseAlways(block(keyword("CONTROL_TIMESTEP", card(0), card(0, 7))), "DT2MSLC = 7");
+  refuseAlways(block(keyword("CONTROL_BULK_VISCOSITY", card(0, 0, 2))), "*CONTROL_BULK_VISCOSITY, TYPE = 2");
+  refuse(block(keyword("DEFINE_CURVE", card(9, 2), points({{0, 0}, {1, 1}}))), "*DEFINE_CURVE, SIDR = 2");
   refuseAlways(block("*INITIAL_STRESS_SOLID\n"), "*INITIAL_STRESS_SOLID: changes the tangent");
   refuseAlways(block("*SET_NODE_GENERAL\n"), "*SET_NODE_GENERAL: makes or changes nodes");
   refuseAlways(block(keyword("DAMPING_PART_STIFFNESS", card(1, 0.1))), "COEF = 0.1: a share of LS-DYNA's own measure");
