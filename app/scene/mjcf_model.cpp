@@ -231,6 +231,7 @@ class MjcfReader {
         if (name == counted)
           for (const XmlElement& child : files_.children(section)) {
             if (name == "equality") checkEquality(child);
+            if (name == "actuator" || name == "tendon") checkReach(child);
             leaveOut(name == "contact" ? "contact " + child.name() : child.name());
           }
     }
@@ -839,6 +840,23 @@ class MjcfReader {
     if (e.name() != "flex" && e.name() != "flexvert" && e.name() != "flexstrain") return;
     for (const Flex& flex : model_.flexes)
       if (e.text("flex") == flex.name) e.fail("flex", "constraints of a flex are not in the bracket; take them out");
+  }
+
+  /// Actuators and tendons whose force acts on a vertex of a flex.
+  void checkReach(const XmlElement& e) {
+    for (const TreeBody& body : bodies_) {
+      if (!body.isVertex) continue;
+      std::set<std::string> names{body.element.text("name")};
+      for (const XmlElement& child : files_.children(body.element)) names.insert(child.text("name"));
+      names.erase("");
+      const auto reaches = [&](const XmlElement& of) {
+        for (const char* key : {"joint", "jointinparent", "site", "refsite", "slidersite", "cranksite", "body", "geom"})
+          if (names.contains(of.text(key)))
+            of.fail(key, "acts on a vertex of a flex, and its force is not in the bracket; take it out");
+      };
+      reaches(e);
+      for (const XmlElement& child : files_.children(e)) reaches(child);
+    }
   }
 
   fs::path file_;

@@ -608,6 +608,7 @@ const std::vector<Key>& newKeys() {
       {"mass", "where", text, "", ""},
       {"mass", "set", text, "", ""},
       {"mass", "mass", number, "> 0", "kg"},
+      {"mass", "nodal_mass", number, "> 0", "kg"},
       {"mass_damping", "where", text, "", ""},
       {"mass_damping", "set", text, "", ""},
       {"mass_damping", "rate", number, ">= 0", "1/s"},
@@ -622,6 +623,7 @@ const std::vector<Key>& newKeys() {
       {"spring", "damping", number, ">= 0", "N s/m"},
       {"spring", "direction", vector, "", ""},
       {"spring", "length", number, ">= 0", "m"},
+      {"spring", "edges", "true or false", "", ""},
       {"obstacle", "kind", text, "", ""},
       {"obstacle", "name", text, "", ""},
       {"obstacle", "point", vector, "", "m"},
@@ -708,7 +710,7 @@ TEST_F(Contact, RefusesEveryKeyByTypeRangeAndName) {
     if (key.range == "> 0") expect(key, key.key, filled("0"), named + "0 is out of range; must be " + key.range + of);
     ++ranges;
   }
-  EXPECT_EQ(ranges, 14);
+  EXPECT_EQ(ranges, 15);
   // The table has no key that is not tried above.
   for (const SceneKey& key : sceneKeys()) {
     if (!good.contains(key.section) || key.section == "move") continue;

@@ -366,6 +366,11 @@ TEST_F(MujocoModels, TakeAFlexOfBodiesAsTheyTakeAFlexcomp) {
   expectBracket(suggested(model(bodies, flex(names))), reference.criticalStep());
   EXPECT_THAT(call("inspect model.xml").out, Not(HasSubstr("left out, they are no")));
 
+  write(model(bodies, flex(names) + "<actuator><adhesion body=\"v3\"/></actuator>"));
+  expectRefused("inspect model.xml", "<adhesion> body=\"v3\": acts on a vertex of a flex");
+  write(model(bodies, flex(names) + "<tendon><spatial stiffness=\"1\"><geom geom=\"v3\"/></spatial></tendon>"));
+  expectRefused("inspect model.xml", "<geom> geom=\"v3\": acts on a vertex of a flex");
+
   expectRefused("inspect none.xml", "none.xml");
   write(model(bodies, flex(names + "v99")));
   expectRefused("inspect model.xml", "model.xml:2: <flex> has 24 vertices and 25 bodies; must be as many");
