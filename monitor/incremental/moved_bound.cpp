@@ -303,7 +303,11 @@ bool MovedBound::visit(NodeVectorsView x, std::span<const BatchRef> batches, boo
       const Seen& one = seen[k - begin];
       const ElementBlock& block = *body_.blocks()[batches[k].block];
       const Symmetric3<P>* const change = changeOf(k - begin);
-      if (!one.finite) return false;
+      if (!one.finite) {
+        started_ = false;
+        bound_ = std::numeric_limits<double>::quiet_NaN();
+        return false;
+      }
       const std::int32_t* elements =
           block.layout().elements.data() + static_cast<std::ptrdiff_t>(batches[k].batch) * lanes;
       for (int lane = 0; lane < lanes; ++lane) {
@@ -428,7 +432,6 @@ void MovedBound::findLaplacian() {
     for (std::size_t b = 0; b < body_.blocks().size(); ++b) {
       const ElementBlock& block = *body_.blocks()[b];
       const int n = block.nodesPerElement();
-      std::vector<Symmetric3<P>> unused;
       AlignedVector<P> L(static_cast<std::size_t>(n * n)), T(static_cast<std::size_t>(n));
       for (std::int32_t batch = 0; batch < block.layout().batchCount(); ++batch) {
         const std::int32_t* elements = block.layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes;
@@ -549,6 +552,7 @@ void MovedBound::build(NodeVectorsView x, double wanted) {
   std::iota(all.begin(), all.end(), 0);
   level_ = wanted * (1 - levelRounding);
   room_ = infinity;
+  std::fill(marked_.begin(), marked_.end(), 0);
   settle(all);
   for (std::int32_t i = 0; i < body_.nodeCount(); ++i) nodes_[i].anchored = own_[i];
   for (std::size_t b = 0; b < elements_.size(); ++b)
@@ -596,11 +600,10 @@ UpperBound MovedBound::update(NodeVectorsView x, StepEvaluation* evaluation, dou
     std::vector<BatchRef>& of = elements_[e.block].rateHasRisen(placeOf(e)) ? anchored : moved;
     if (of.empty() || of.back() != at) of.push_back(at);
   }
-  if (!visit(x, moved, false) || !visit(x, anchored, true)) {
-    started_ = false;
-    bound_ = std::numeric_limits<double>::quiet_NaN();
-    return {bound_};
-  }
+  // By number the elements of a batch need not stand together.
+  sortUnique(moved);
+  sortUnique(anchored);
+  if (!visit(x, moved, false) || !visit(x, anchored, true)) return {bound_};
   findBound();
   return {bound_};
 }

@@ -59,8 +59,6 @@ class MovedBound {
   /// Threshold mode: whether the highest eigenvalue at x is proven to be at most sigma, rad²/s².
   bool certify(NodeVectorsView x, double sigma, StepEvaluation* evaluation = nullptr);
 
-  /// MovedBoundPolicy::slack from here on.
-  void setSlack(double slack) { policy_.slack = slack; }
   double bound() const { return bound_; }
   /// What the last update() and what followed it took, in elements: evaluations, majorants that were moved, balls that
   /// got other radii alone.

@@ -11,13 +11,6 @@
 /// pack of them.
 namespace ringwatch {
 
-/// How an element has moved from its anchor, the gradients A_q at which K ≼ l D was proven: F_q = T A_q + Δ_q.
-template <class S>
-struct MotionOf {
-  Matrix3<S> T;
-  S uneven;  ///< max_q |Δ_q|, Frobenius norm
-};
-
 /// T D Tᵀ.
 template <class S>
 RINGWATCH_INLINE Symmetric3<S> movedWeight(const Matrix3<S>& T, const Symmetric3<S>& D) {
