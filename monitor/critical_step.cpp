@@ -15,9 +15,8 @@
 namespace ringwatch {
 namespace {
 
-// Tangent products for the top mode and for a direction of negative stiffness; sweeps of the nodal bound, which gain
-// little after.
-constexpr int products = 20, searchProducts = 48, firstSweeps = 1, sweeps = 12;
+// Tangent products for the top mode; sweeps of the nodal bound, which gain little after.
+constexpr int products = 20, firstSweeps = 1, sweeps = 12;
 
 }  // namespace
 
@@ -83,9 +82,9 @@ CriticalStep criticalStepInTiers(const Body& body, NodeVectorsView x, const Step
   if (!step.isBracket())
     throw NumericalError(joinText("the sides of the bracket cross by rounding: safe ", step.safe, " s, optimistic ",
                                   step.optimistic, " s"));
-  // At rest there is no stress that could make the tangent indefinite.
-  if (!(step.lowestRing < 0) && x != body.mesh().X) {
-    const LowestMode lowest = LowestModeSearch(body).find(x, searchProducts);
+  // At rest only springs can have a stress that makes the tangent indefinite.
+  if (!step.indefinite() && (x != body.mesh().X || body.discreteForces())) {
+    const LowestMode lowest = LowestModeSearch(body).find(x, LowestModeSearch::usualProducts);
     if (lowest.value < 0) {
       step.lowestRing = lowest.value;
       step.lowestRingElement = lowest.element;

@@ -47,9 +47,10 @@ std::optional<ExactStep> exactCriticalStep(const TangentSource& source, NodeVect
                                            double tolerance = 1e-6, const BeforeFactorisation& before = {});
 
 /// Whether a step h, s, is proven stable (certified) or unstable (violated) at one state: by a factorisation (Theorem
-/// 5), and where that fails by the Rayleigh quotient of the top mode (Theorem 8). notCertified only for steps as close
-/// to the critical one as rounding, or where the top mode does not converge. sides, if any: what the verdict comes
-/// from. Throws InputError unless h is positive and finite, for a rule that is not proven and when x is not 3×N.
+/// 5), and where that fails by the Rayleigh quotient of the top mode (Theorem 8). Directions of negative stiffness,
+/// which no step cures, are not searched: criticalStep() does. notCertified only for steps as close to the critical one
+/// as rounding, or where the top mode does not converge. sides, if any: what the verdict comes from. Throws InputError
+/// unless h is positive and finite, for a rule that is not proven and when x is not 3×N.
 Verdict proveStep(const TangentSource& source, NodeVectorsView x, const StepRule& limit, double h,
                   const BeforeFactorisation& before = {}, ProvenSides* sides = nullptr);
 

@@ -77,6 +77,12 @@ constexpr Verdict verdictFor(double h, const CriticalStep& bracket) {
   return h <= bracket.safe ? Verdict::certified : h <= bracket.optimistic ? Verdict::notCertified : Verdict::violated;
 }
 
+/// What a bracket says of steps of h seconds from its state on: of an indefinite tangent none is certified.
+constexpr Verdict verdictOfState(double h, const CriticalStep& bracket) {
+  const Verdict verdict = verdictFor(h, bracket);
+  return verdict == Verdict::certified && bracket.lowestRing < 0 ? Verdict::notCertified : verdict;
+}
+
 /// What the monitor knows after a step.
 struct MonitorReport {
   std::int64_t step = 0;

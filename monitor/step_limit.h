@@ -86,6 +86,8 @@ struct CriticalStep {
   /// they set the step, and not the controlling element.
   double discreteShare = 0;
 
+  /// Whether the tangent is proven to have a direction of negative stiffness, which no step cures.
+  bool indefinite() const { return lowestRing < 0; }
   /// Whether the two sides are a bracket: numbers, with safe <= optimistic. No function hands out one for which it is
   /// false.
   bool isBracket() const { return safe <= optimistic; }

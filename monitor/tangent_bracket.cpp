@@ -13,6 +13,7 @@
 #include <ringwatch/base/rounding.h>
 #include <ringwatch/body/tangent_source.h>
 #include <ringwatch/monitor/bounds/exchange_bound.h>
+#include <ringwatch/monitor/bounds/lowest_mode.h>
 #include <ringwatch/monitor/bounds/nodal_bound.h>
 #include <ringwatch/monitor/bounds/top_mode.h>
 
@@ -435,7 +436,8 @@ TangentBracket::TangentBracket(const NodalMass& mass, const std::vector<Elements
 }
 TangentBracket::~TangentBracket() = default;
 
-CriticalStep TangentBracket::evaluate(const std::vector<std::span<const double>>& tangents, double limit) {
+CriticalStep TangentBracket::evaluate(const std::vector<std::span<const double>>& tangents, double limit,
+                                      bool searchNegative) {
   Impl& m = *impl_;
   if (tangents.size() != m.groups.size())
     throw InputError(
@@ -458,10 +460,18 @@ CriticalStep TangentBracket::evaluate(const std::vector<std::span<const double>>
   const ReducedRing::Result& rings = m.ring->last();
   auto [upper, safeBy] = m.upperBound(lower);
   if (!m.inverseRoots.empty()) upper.value = (upper.value + givenScalingRounding * size) / (1 - massRounding);
-  const CriticalStep step{safeStep(upper, limit), optimisticStep(lower, limit),
-                          rings.highestElement,   safeBy,
-                          top.method(),           rings.lowest < -givenSumRounding * size ? rings.lowest : 0,
-                          rings.lowestElement};
+  // Of blocks of mass the scaled tangents are searched, whose rounding is of the same size.
+  const double clearlyNegative = -(givenSumRounding + (m.inverseRoots.empty() ? 0 : givenScalingRounding)) * size;
+  CriticalStep step{safeStep(upper, limit), optimisticStep(lower, limit),
+                    rings.highestElement,   safeBy,
+                    top.method(),           rings.lowest < clearlyNegative ? rings.lowest : 0,
+                    rings.lowestElement};
+  if (searchNegative && !step.indefinite())
+    if (const LowestMode lowest = LowestModeSearch(*m.source).find(m.noPositions, LowestModeSearch::usualProducts);
+        lowest.value < clearlyNegative) {
+      step.lowestRing = lowest.value;
+      step.lowestRingElement = lowest.element;
+    }
   if (!step.isBracket())
     throw NumericalError(joinText("the sides of the bracket cross: safe ", step.safe, " s, optimistic ",
                                   step.optimistic, " s; the tangents are too badly scaled for their rounding"));

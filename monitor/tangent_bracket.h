@@ -66,7 +66,10 @@ class TangentBracket {
   /// its largest entry) or of another size, for a limit that is not positive and finite, and for tangents so large or
   /// small that their sixth powers leave the range of a double (entries K_ij and K_ij/√(m_i m_j) outside 1e-40 to
   /// 1e40); NumericalError where rounding makes the two sides cross.
-  CriticalStep evaluate(const std::vector<std::span<const double>>& tangents, double limit);
+  /// searchNegative: whether `lowestRing` is of a search in the whole body too (LowestModeSearch), which takes up to
+  /// 49 products with the tangent; else it is of the rings at hand alone.
+  CriticalStep evaluate(const std::vector<std::span<const double>>& tangents, double limit,
+                        bool searchNegative = false);
 
  private:
   struct Impl;

@@ -97,7 +97,7 @@ std::unique_ptr<HeldBracket> bracketOf(py::handle mass, const py::object& elemen
   return made;
 }
 
-py::object evaluate(HeldBracket& self, const py::object& tangents, double limit) {
+py::object evaluate(HeldBracket& self, const py::object& tangents, double limit, bool searchNegative) {
   const std::vector<py::object> arrays = groupsOf("tangents", tangents);
   if (arrays.size() != self.groups.size())
     throw InputError(joinText("tangents: ", arrays.size(), " arrays for ", self.groups.size(),
@@ -108,8 +108,8 @@ py::object evaluate(HeldBracket& self, const py::object& tangents, double limit)
     spans.push_back(
         realsOf(memberName("tangents", tangents, g).c_str(), arrays[g], {group.elements, group.size, group.size}));
   }
-  const CriticalStep step =
-      unlocked<std::unique_lock<std::mutex>>(self.turn, [&] { return self.bracket.evaluate(spans, limit); });
+  const CriticalStep step = unlocked<std::unique_lock<std::mutex>>(
+      self.turn, [&] { return self.bracket.evaluate(spans, limit, searchNegative); });
   return criticalStepResult(step);
 }
 
@@ -127,11 +127,13 @@ void bindTangentBracket(py::module_& module) {
       "node. Raises InputError.",
       "", py::arg("mass"), py::arg("elements"), py::arg("constrained") = py::none(), py::kw_only(),
       py::arg("degrees_of_freedom") = 3, py::arg("group_dofs") = std::vector<int>(), py::arg("threads") = 0);
-  bindMethod(bracket, "evaluate", &evaluate,
-             "The CriticalStep of tangents (n, k d, k d), float64 in C order, read where they lie; or a list of one "
-             "array for\neach group. limit: the integrator's largest stable h omega. Raises InputError; NumericalError "
-             "where rounding\nmakes the sides cross.",
-             py::arg("tangents"), py::arg("limit") = 2.0);
+  bindMethod(
+      bracket, "evaluate", &evaluate,
+      "The CriticalStep of tangents (n, k d, k d), float64 in C order, read where they lie; or a list of one "
+      "array for\neach group. limit: the integrator's largest stable h omega. search_negative: whether a direction "
+      "of negative stiffness\nis searched for in the whole body, beyond the rings of the elements at hand. "
+      "Raises InputError; NumericalError\nwhere rounding makes the sides cross.",
+      py::arg("tangents"), py::arg("limit") = 2.0, py::kw_only(), py::arg("search_negative") = false);
   bracket.def("__repr__", [](const HeldBracket& self) {
     py::ssize_t elements = 0;
     for (const HeldBracket::Group& group : self.groups) elements += group.elements;

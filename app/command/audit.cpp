@@ -8,6 +8,7 @@
 
 #include <ringwatch/app/command/integrator_catalog.h>
 #include <ringwatch/app/command/progress.h>
+#include <ringwatch/app/command/step_answer.h>
 #include <ringwatch/app/output/report.h>
 #include <ringwatch/app/scene/scene.h>
 #include <ringwatch/app/scene/scene_features.h>
@@ -286,7 +287,10 @@ class AuditReport {
     event(
         "not_certified", "first step that is not proven stable",
         [](const AuditedState& s) { return s.verdict() && s.verdict() != Verdict::certified; },
-        [](const AuditedState& s) { return fmt::format(": h = {:.6g} s, safe {:.6g} s", *s.step, s.bracket->safe); });
+        [](const AuditedState& s) {
+          return fmt::format(": h = {:.6g} s, safe {:.6g} s{}", *s.step, s.bracket->safe,
+                             s.indefinite() ? "; " + indefiniteText(*s.bracket) : "");
+        });
     const bool violated = event(
         "violated", "first step that is proven unstable", [](const AuditedState& s) { return s.violated(); },
         [&](const AuditedState& s) {
@@ -325,8 +329,11 @@ class AuditReport {
     Json& steps = result.json["steps"] = nullptr;
     const AuditedState* closest = nullptr;
     double largest = 0, least = infinity;
+    bool curable = true;
     for (const AuditedState& state : states_) {
       if (!state.verdict()) continue;
+      curable = curable && !state.indefinite();
+      if (state.indefinite()) continue;
       const auto share = [](const AuditedState& of) { return *of.step / of.bracket->safe; };
       if (!closest || share(state) > share(*closest)) closest = &state;
       largest = std::max(largest, *state.step);
@@ -337,9 +344,10 @@ class AuditReport {
     steps =
         Json{{"largest", largest}, {"largest_share", share}, {"state", closest->index + 1}, {"proven_in_all", least}};
     result.text += fmt::format(
-        "the step came to {:.3g} times the proven one, in {}; {:.6g} s is proven in every one of these states, {:.3g} "
+        "the step came to {:.3g} times the proven one, in {}; {:.6g} s is proven in every one of these states{}, "
+        "{:.3g} "
         "times the largest step of the run\n",
-        share, nameOf(*closest), least, least / largest);
+        share, nameOf(*closest), least, curable ? "" : " whose tangent is not indefinite", least / largest);
   }
 
   void table(std::string& text, bool all) const {
@@ -380,6 +388,7 @@ std::string junitText(const Json& audit) {
   for (const Json& state : audit["history"]) {
     const auto verdict = state["verdict"].get<std::string>();
     std::string fault = verdict == "certified" || verdict == "-" ? "" : verdict;
+    if (state["indefinite"] && !fault.empty()) fault += ", the tangent is indefinite";
     if (state["inverted"]) fault += fault.empty() ? "an element is inverted" : ", an element is inverted";
     cases += fmt::format("  <testcase classname=\"ringwatch.audit\" name=\"state {}, {}\"", state["state"].get<int>(),
                          markupText(state["where"].get<std::string>()));

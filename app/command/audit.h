@@ -31,10 +31,10 @@ struct AuditedState {
   double strainEnergy = 0;  // J
 
   bool inverted() const { return least && !(least->value > 0); }
-  bool indefinite() const { return bracket && bracket->lowestRing < 0; }
+  bool indefinite() const { return bracket && bracket->indefinite(); }
   std::optional<Verdict> verdict() const {
     if (!bracket || !step) return std::nullopt;
-    return verdictFor(*step, *bracket);
+    return verdictOfState(*step, *bracket);
   }
   bool violated() const { return verdict() == Verdict::violated; }
   /// Neither finite nor with a tangent.

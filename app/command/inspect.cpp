@@ -450,24 +450,26 @@ void reportRange(const Subject& subject, StretchRange stretch, InspectResult& re
       stretch.low, stretch.high, range.safe);
 }
 
-std::string_view proofText(Verdict verdict) {
+std::string proofText(Verdict verdict, const CriticalStep& bracket) {
   return verdict == Verdict::certified  ? "proven stable"
          : verdict == Verdict::violated ? "proven unstable"
+         : bracket.indefinite()         ? fmt::format("not proven stable ({})", indefiniteText(bracket))
                                         : "neither proven stable nor unstable";
 }
 
 /// Whether one step is stable, by a factorisation; what it proved.
-ProvenSides reportProof(Subject& subject, double h, InspectResult& result) {
+ProvenSides reportProof(Subject& subject, double h, const CriticalStep& bracket, InspectResult& result) {
   ProgressLine progress(true);
   FactorisationCost cost{};
   ProvenSides sides;
   const StepRule rule = stepRuleAt(subject.scene, subject.body, h, DampingRates::atRest);
-  const Verdict verdict = proveStep(subject.body, subject.x, rule, h, sayCost("--prove", progress, cost), &sides);
+  Verdict verdict = proveStep(subject.body, subject.x, rule, h, sayCost("--prove", progress, cost), &sides);
+  if (verdict == Verdict::certified && bracket.indefinite()) verdict = Verdict::notCertified;
   stepRuleAt(subject.scene, subject.body, subject.own.reference, DampingRates::atRest);
   result.json["prove"] = Json{{"step", h}, {"verdict", std::string(verdictName(verdict))}};
   result.json["prove"].update(costJson(cost));
-  result.text += fmt::format("h = {:.10g} s: {}, by a factorisation of {:.3g} million numbers\n", h, proofText(verdict),
-                             1e-6 * cost.numbers);
+  result.text += fmt::format("h = {:.10g} s: {}, by a factorisation of {:.3g} million numbers\n", h,
+                             proofText(verdict, bracket), 1e-6 * cost.numbers);
   if (verdict == Verdict::violated) result.status = ExitStatus::unstable;
   if (verdict == Verdict::notCertified) result.status = ExitStatus::notCertified;
   return sides;
@@ -560,9 +562,7 @@ CriticalStep reportBracket(const Subject& subject, const InspectOptions& options
   reportSides(step, probable, result);
   if (step.probable)
     result.json["critical_step"]["probable"] = Json{{"safe", step.probable->safe}, {"eta", step.probable->eta}};
-  if (step.lowestRing < 0)
-    text +=
-        fmt::format("  the tangent is indefinite, eigenvalue {:.6g} rad2/s2: no step cures that\n", step.lowestRing);
+  if (step.indefinite()) text += fmt::format("  {}\n", indefiniteText(step));
   if (step.poorlyConditioned > 0)
     text += fmt::format(
         "  note: rounding leaves little to say of {} element{}, the worst is {}; the safe step is lower for it\n",
@@ -605,7 +605,7 @@ void reportStep(const Subject& subject, const std::vector<MetricResult>& metrics
   const Json& counts = result.json["ill_shaped"]["by_metric"];
   result.text +=
       fmt::format("at h = {:.6g} s: {}; {} of {} elements forbid it by their reduced 1-ring, {} as single elements\n",
-                  h, proofText(verdictFor(h, step)), counts["reduced-1-ring"].get<std::size_t>(),
+                  h, proofText(verdictOfState(h, step), step), counts["reduced-1-ring"].get<std::size_t>(),
                   subject.body.mesh().elementCount(), counts["single-element"].get<std::size_t>());
 }
 
@@ -659,7 +659,7 @@ void reportHandlerChoice(const Subject& subject, double h, const CriticalStep& s
       "a handler would take {} of {} elements at h = {:.6g} s (selection {}, margin {}: room for h = {:.6g} s){}\n",
       choice["count"].get<std::size_t>(), subject.body.mesh().elementCount(), h, choice["selection"].get<std::string>(),
       choice["margin"].get<double>(), h / (1 - choice["margin"].get<double>()),
-      h <= step.safe
+      verdictOfState(h, step) == Verdict::certified
           ? "; the step is proven without one"
           : shareText(choice["count"].get<double>() / static_cast<double>(subject.body.mesh().elementCount())));
 }
@@ -707,7 +707,7 @@ InspectResult inspectMesh(const InspectOptions& options) {
               ring == metrics.end() ? nullptr : &*ring);
   result.text += reasonsText(why, "  ", "\n");
   if (options.step) reportStep(subject, metrics, step, *options.step, result);
-  if (options.prove) sides = reportProof(subject, *options.prove, result);
+  if (options.prove) sides = reportProof(subject, *options.prove, step, result);
   if (options.distribution || options.picture) reportDistribution(subject, metrics, step, options, result);
   if (options.certificate) writeCertificate(subject, options, sides, result);
   if (options.vtu) writeMetricsVtu(*options.vtu, subject, metrics, step, options.step, quality);

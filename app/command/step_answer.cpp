@@ -20,8 +20,14 @@ double stepsIn(double time, double h) {
   return time / count <= h ? count : count + 1;  // a quotient that was rounded down
 }
 
+std::string indefiniteText(const CriticalStep& bracket) {
+  return bracket.indefinite() ? fmt::format("the tangent is indefinite, eigenvalue {:.6g} rad2/s2: no step cures that",
+                                            bracket.lowestRing)
+                              : "";
+}
+
 StepAnswer answerStep(double step, const CriticalStep& bracket, const std::string& mayBeStable) {
-  Verdict verdict = verdictFor(step, bracket);
+  Verdict verdict = verdictOfState(step, bracket);
   if (verdict == Verdict::violated && !mayBeStable.empty()) verdict = Verdict::notCertified;
   StepAnswer answer{Json{{"asked", step}, {"verdict", std::string(verdictName(verdict))}, {"steps", nullptr}}, ""};
   std::string& text = answer.text;
@@ -29,8 +35,13 @@ StepAnswer answerStep(double step, const CriticalStep& bracket, const std::strin
   text += verdict == Verdict::certified ? "proven stable"
           : verdict == Verdict::violated
               ? fmt::format("proven unstable, as is every one above {:.6g} s", bracket.optimistic)
-          : mayBeStable.empty() ? "neither proven stable nor unstable"
-                                : fmt::format("not proven stable ({})", mayBeStable);
+          : bracket.indefinite() ? "not proven stable: " + indefiniteText(bracket)
+          : mayBeStable.empty()  ? "neither proven stable nor unstable"
+                                 : fmt::format("not proven stable ({})", mayBeStable);
+  if (bracket.indefinite()) {
+    text += verdict == Verdict::violated ? "; " + indefiniteText(bracket) + "\n" : "\n";
+    return answer;
+  }
   const double count = stepsIn(step, bracket.safe);
   if (count == 0 || !(count <= mostSteps)) {
     text += "; no step is proven stable\n";

@@ -10,6 +10,9 @@ namespace ringwatch {
 /// Equal steps in `time` seconds of which none is longer than h; 0 for none that is finite.
 double stepsIn(double time, double h);
 
+/// "the tangent is indefinite, …: no step cures that", of a bracket for which it is; else "".
+std::string indefiniteText(const CriticalStep& bracket);
+
 /// What a bracket says of a step, one line.
 struct StepAnswer {
   nlohmann::ordered_json json;  // the contract of `timestep`

@@ -60,7 +60,7 @@ SuggestResult suggestSteps(const SuggestOptions& options) {
   result.text =
       fmt::format("{}: {}, {}, {}{}\nin {:.6g} s:\n", scene.file.string(), elementCounts(body.mesh()),
                   modelsText(scene.materials), start.integrator->name, scene.damps() ? ", damped" : "", frame);
-  const std::string atStart = tellSteps(frame, bracket.safe, json["start"]);
+  const std::string atStart = tellSteps(frame, bracket.indefinite() ? 0 : bracket.safe, json["start"]);
   json["start"]["optimistic"] = bracket.optimistic;
   std::string fewer;
   if (const double least = stepsIn(frame, bracket.optimistic); least > 1 && scene.mayBeStable.empty()) {
@@ -68,6 +68,7 @@ SuggestResult suggestSteps(const SuggestOptions& options) {
     fewer = fmt::format("; {} or fewer are proven unstable", static_cast<std::int64_t>(least) - 1);
   }
   result.text += fmt::format("  as the scene starts       {}{}\n", atStart, fewer);
+  if (bracket.indefinite()) result.text += fmt::format("  {}\n", indefiniteText(bracket));
   if (options.stretch) {
     const RangeStep range = rangeStep(body, *options.stretch, rule);
     Json& own = json["range"];
@@ -82,7 +83,7 @@ SuggestResult suggestSteps(const SuggestOptions& options) {
     const StepAnswer answer = answerStep(*scene.step, bracket, scene.mayBeStable);
     json["timestep"] = answer.json;
     result.text += "  " + answer.text;
-    if (scene.ofModel && verdictFor(*scene.step, bracket) == Verdict::notCertified)
+    if (scene.ofModel && verdictOfState(*scene.step, bracket) == Verdict::notCertified && !bracket.indefinite())
       notes.push_back(
           fmt::format("ringwatch inspect {} --exact tells the critical step to a millionth", scene.file.string()));
   }
@@ -90,7 +91,8 @@ SuggestResult suggestSteps(const SuggestOptions& options) {
     const double own = stepsIn(frame, *scene.step);
     result.text += fmt::format(
         "  the step of the scene     {:.6g} s, {:.0f} steps: {} at its start\n", *scene.step, own,
-        *scene.step <= bracket.safe                                     ? "proven stable"
+        bracket.indefinite()                                            ? "not proven stable"
+        : *scene.step <= bracket.safe                                   ? "proven stable"
         : *scene.step > bracket.optimistic && scene.mayBeStable.empty() ? "proven unstable"
                                                                         : "neither proven stable nor unstable");
   }

@@ -9,6 +9,7 @@
 #include <ringwatch/base/atomic_file.h>
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/meshes/quality.h>
+#include <ringwatch/monitor/stability_monitor.h>
 
 namespace ringwatch {
 namespace {
@@ -40,24 +41,24 @@ PageVerdict verdictOf(const Inspection& inspection, const std::optional<RunAnaly
   verdict.tone = Tone::good;
   if (asked && *asked > step.optimistic)
     verdict.title = fmt::format("{:.4g} s is too large", *asked), verdict.tone = Tone::bad;
-  else if (asked && *asked > step.safe)
+  else if (asked && verdictOfState(*asked, step) != Verdict::certified)
     verdict.title = fmt::format("{:.4g} s is not proven", *asked), verdict.tone = Tone::unsure;
   else if (asked)
     verdict.title = fmt::format("{:.4g} s is stable", *asked);
-  else if (!(step.safe > 0))
+  else if (!(step.safe > 0) || step.indefinite())
     verdict.title = "No step is proven", verdict.tone = Tone::unsure;
   verdict.sentence = fmt::format(
       "The critical step of the mesh {} lies between {} s, up to which it is proven stable, and {} s, above which "
       "it is proven unstable.{}",
       inspection.state, stepRoundedDown(step.safe), stepRoundedUp(step.optimistic),
       reasonsText(inspection.json["why"], " ", ""));
-  if (step.lowestRing < 0)
+  if (step.indefinite())
     verdict.sentence +=
         " The tangent has a negative eigenvalue there: no step cures that, the state itself is unstable.";
 
-  if (asked && *asked > step.safe && step.safe > 0)
+  if (asked && *asked > step.safe && step.safe > 0 && !step.indefinite())
     verdict.remedies.push_back(fmt::format("Take a smaller step: {} s is proven.", stepRoundedDown(step.safe)));
-  else if (step.safe > 0)
+  else if (step.safe > 0 && !step.indefinite())
     verdict.remedies.push_back(fmt::format("Take steps of at most {} s.", stepRoundedDown(step.safe)));
   std::vector<std::string> more;
   if (analysis) {

@@ -18,12 +18,12 @@ namespace {
 constexpr double clearlyBelow = 1e-4;  // zero, relative to the norm of S K S: the search can end
 
 /// 1/√(Σ_e tr|K_e,aa|) of every node, zero in constrained components.
-NodeVectors scaleOf(const Body& body, NodeVectorsView x, Body::Workspace& workspace) {
+NodeVectors scaleOf(const TangentSource& source, NodeVectorsView x, TangentSource::Workspace& workspace) {
   NodeVectors scale;
-  body.sumOverPatches(scale, workspace, [&](std::size_t b, std::int32_t p, double* slots) {
-    const ElementBlock& block = *body.blocks()[b];
+  source.sumOverPatches(scale, workspace, [&](std::size_t b, std::int32_t p, double* slots) {
+    const ElementTangents& block = *source.tangents()[b];
     const PatchLayout& layout = block.layout();
-    const int n = block.element().nodes, size = 3 * n;
+    const int n = block.nodesPerElement(), size = 3 * n;
     AlignedVector<NativePack> K(size * size);
     const Patch& patch = layout.patches[p];
     for (std::int32_t batch = patch.batchBegin; batch < patch.batchEnd; ++batch) {
@@ -37,20 +37,21 @@ NodeVectors scaleOf(const Body& body, NodeVectorsView x, Body::Workspace& worksp
         }
     }
   });
-  for (std::int32_t i = 0; i < body.nodeCount(); ++i) {
+  for (std::int32_t i = 0; i < source.nodeCount(); ++i) {
     const double root = scale(0, i) > 0 ? 1 / std::sqrt(scale(0, i)) : 0;
-    for (int c = 0; c < 3; ++c) scale(c, i) = root * cutFactor(body, i, c);
+    for (int c = 0; c < 3; ++c) scale(c, i) = root * cutFactor(source, i, c);
   }
   return scale;
 }
 
 /// The element with the least uᵀK_e u.
-ElementRef softestElement(const Body& body, NodeVectorsView x, const NodeVectors& u) {
+ElementRef softestElement(const TangentSource& source, NodeVectorsView x, const NodeVectors& u) {
   std::vector<std::vector<double>> forms;
-  for (const auto& block : body.blocks()) forms.emplace_back(static_cast<std::size_t>(block->elementCount()));
-  body.forEachTangentBatch(x, [&](std::size_t b, std::int32_t batch, const NativePack* K) {
-    const ElementBlock& block = *body.blocks()[b];
-    const int size = 3 * block.element().nodes;
+  for (const ElementTangents* block : source.tangents())
+    forms.emplace_back(static_cast<std::size_t>(block->elementCount()));
+  source.forEachTangentBatch(x, [&](std::size_t b, std::int32_t batch, const NativePack* K) {
+    const ElementTangents& block = *source.tangents()[b];
+    const int size = 3 * block.nodesPerElement();
     for (int lane = 0; lane < lanes; ++lane) {
       const std::int32_t e = block.layout().elements[batch * lanes + lane];
       if (e < 0) continue;
@@ -76,18 +77,18 @@ ElementRef softestElement(const Body& body, NodeVectorsView x, const NodeVectors
 }  // namespace
 
 void LowestModeSearch::takeScale(NodeVectorsView x) {
-  if (scale_.cols() > 0 && bodyVersion_ == body_.version() && ++sinceScale_ < scaleGap) return;
-  scale_ = scaleOf(body_, x, workspace_);
+  if (scale_.cols() > 0 && sourceVersion_ == source_.version() && ++sinceScale_ < scaleGap) return;
+  scale_ = scaleOf(source_, x, workspace_);
   sinceScale_ = 0;
-  bodyVersion_ = body_.version();
+  sourceVersion_ = source_.version();
 }
 
 LowestMode LowestModeSearch::find(NodeVectorsView x, int maxProducts) {
   LowestMode result;
   takeScale(x);
   NodeVectors& start = direction_;
-  if (start.cols() != body_.nodeCount() || !start.allFinite()) {
-    start.resize(3, body_.nodeCount());
+  if (start.cols() != source_.nodeCount() || !start.allFinite()) {
+    start.resize(3, source_.nodeCount());
     for (Eigen::Index i = 0; i < start.size(); ++i) start.data()[i] = randomEntry(1, static_cast<std::uint64_t>(i));
   }
   // A component that nothing stiff holds has no part in the search.
@@ -101,7 +102,7 @@ LowestMode LowestModeSearch::find(NodeVectorsView x, int maxProducts) {
   Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
   while (true) {
     u = lanczos.current().cwiseProduct(scale_);
-    body_.tangentProduct(x, u, w, workspace_);
+    source_.tangentProduct(x, u, w, workspace_);
     w = w.cwiseProduct(scale_);
     ++result.products;
     lanczos.advance(w);
@@ -123,12 +124,12 @@ LowestMode LowestModeSearch::find(NodeVectorsView x, int maxProducts) {
   start /= start.norm();
   // The quotient itself: whatever went before, its sign is proven to rounding.
   u = start.cwiseProduct(scale_);
-  body_.tangentProduct(x, u, w, workspace_);
+  source_.tangentProduct(x, u, w, workspace_);
   ++result.products;
   const double form =
-      w.cwiseProduct(u).sum() + negativeQuotientRounding * T.radius + body_.formRounding(x, u, workspace_);
-  result.value = form / (u.cwiseAbs2() * body_.lumpedMass()).sum();
-  if (result.value < 0) result.element = softestElement(body_, x, u);
+      w.cwiseProduct(u).sum() + negativeQuotientRounding * T.radius + source_.formRounding(x, u, workspace_);
+  result.value = form / (u.cwiseAbs2() * source_.lumpedMass()).sum();
+  if (result.value < 0) result.element = softestElement(source_, x, u);
   return result;
 }
 

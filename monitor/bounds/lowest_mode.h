@@ -2,7 +2,7 @@
 #include <cstdint>
 
 #include <ringwatch/base/archive.h>
-#include <ringwatch/body/body.h>
+#include <ringwatch/body/tangent_source.h>
 
 namespace ringwatch {
 
@@ -23,10 +23,13 @@ struct LowestMode {
 /// the signs, from its S, which is that of the state now and then.
 class LowestModeSearch {
  public:
-  /// The body must outlive the search.
-  explicit LowestModeSearch(const Body& body) : body_(body) {}
+  /// The source must outlive the search.
+  explicit LowestModeSearch(const TangentSource& source) : source_(source) {}
 
-  /// Searches at positions x (3×N, m), with at most maxProducts >= 1 tangent products, fewer once a direction is
+  /// Tangent products that find what is coarse enough to matter, where nothing is known of the direction.
+  static constexpr int usualProducts = 48;
+
+  /// Searches in the state x, with at most maxProducts >= 1 tangent products, fewer once a direction is
   /// clearly negative.
   LowestMode find(NodeVectorsView x, int maxProducts);
   /// Whether there is a direction to start from; the first search starts from a random one.
@@ -39,7 +42,7 @@ class LowestModeSearch {
   template <class Archive>
   void archive(Archive& a) {
     a(direction_, scale_, sinceScale_);
-    archiveVersion(a, bodyVersion_, body_.version());
+    archiveVersion(a, sourceVersion_, source_.version());
   }
 
  private:
@@ -47,12 +50,12 @@ class LowestModeSearch {
   /// Searches between two computations of S, which evaluate every element's tangent.
   static constexpr int scaleGap = 8;
 
-  const Body& body_;
-  Body::Workspace workspace_;
+  const TangentSource& source_;
+  TangentSource::Workspace workspace_;
   NodeVectors direction_;  // in the coordinates of S K S
   NodeVectors scale_;      // S; 0 for constrained components
   int sinceScale_ = 0;
-  std::int64_t bodyVersion_ = 0;  // of scale_
+  std::int64_t sourceVersion_ = 0;  // of scale_
 };
 
 }  // namespace ringwatch

@@ -108,7 +108,8 @@ class Suggestion(Result):
     dt: float | None
     """s, the step that was asked about."""
     verdict: str | None
-    """certified: proven stable; violated: proven unstable; not-certified: neither. None without dt."""
+    """certified: proven stable; violated: proven unstable; not-certified: neither, or the tangent is indefinite. None without
+    dt."""
     substeps: int | None
     """Equal parts of dt, each proven stable; None where no number is, and without dt."""
     substep: float | None
@@ -117,6 +118,8 @@ class Suggestion(Result):
     """The cell that holds most of the top mode, as far as it is known."""
     state: int
     """The state of the batch whose safe step is the least."""
+    lowest_eigenvalue: float | None
+    """rad²/s², negative: it proves the tangent of a state indefinite, which no step cures. None where none was found."""
 
     def __str__(self) -> str:
         text = f"proven stable up to {self.safe:.6g} s, proven unstable above {self.optimistic:.6g} s"
@@ -125,6 +128,9 @@ class Suggestion(Result):
         verdict = {"certified": "proven stable", "violated": "proven unstable"}.get(
             str(self.verdict), "neither proven stable nor unstable"
         )
+        if self.lowest_eigenvalue is not None:
+            indefinite = f"the tangent is indefinite, eigenvalue {self.lowest_eigenvalue:.6g} rad2/s2: no step cures that"
+            return f"dt = {self.dt:.6g} s is {'proven unstable' if self.verdict == 'violated' else 'not proven stable'}: {indefinite}"
         parts = f"{self.substeps} substep{'s' * (self.substeps != 1)} of {self.substep:.6g} s" if self.substeps else "no substeps"
         return f"dt = {self.dt:.6g} s is {verdict}; {text}: {parts}"
 

@@ -92,9 +92,12 @@ class Audit(Result):
     def message(self) -> str:
         """The audit in a line: "run.pvd: largest step used over proven step: 1.31, in state 4 of 12; …"."""
         steps = self.found["steps"]
+        proven_in = "those whose tangent is not indefinite" if self.found["first"]["indefinite"] else "all of them"
+        known = any(state["step"] is not None for state in self.found["history"])
         told = [f"{self.found['results']}: " + (
             f"largest step used over proven step: {self.largest_share:.4g}, in state {steps['state']} of "
-            f"{self.found['states']}; {steps['proven_in_all']:.6g} s is proven in all of them" if steps
+            f"{self.found['states']}; {steps['proven_in_all']:.6g} s is proven in {proven_in}" if steps
+            else "no step is proven in any of its states" if known
             else "the results do not tell which step was taken; give step")]
         told += [f"first {what} in state {first['state']}" for what, first in self.found["first"].items() if first]
         return "; ".join(told)

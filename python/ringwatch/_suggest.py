@@ -71,7 +71,7 @@ def suggest(
     weights, constrained = np.where(fixed, 1.0, mass), np.repeat(fixed[:, None], 3, axis=1)
     found = [  # each from scratch, whatever came before
         TangentBracket(weights, corners.astype(np.int32), constrained).evaluate(
-            body.element_tangents(np.ascontiguousarray(state)), limit
+            body.element_tangents(np.ascontiguousarray(state)), limit, search_negative=True
         )
         for state in states
     ]
@@ -81,16 +81,24 @@ def suggest(
     least = int(np.argmin(safe))
     optimistic = min(one.optimistic for one in found)
     step = None if dt is None else float(dt)
-    substeps = None if step is None or not safe[least] > 0 else _parts(step, safe[least])
+    negative = [one.lowest_eigenvalue for one in found if one.lowest_eigenvalue is not None]
+    substeps = None if step is None or negative or not safe[least] > 0 else _parts(step, safe[least])
     return Suggestion(
         safe[least],
         optimistic,
         step,
-        None if step is None else "certified" if step <= safe[least] else "violated" if step > optimistic else "not-certified",
+        None
+        if step is None
+        else "violated"
+        if step > optimistic
+        else "certified"
+        if step <= safe[least] and not negative
+        else "not-certified",
         substeps,
         None if step is None or substeps is None else step / substeps,
         found[least].controlling[1],
         least,
+        min(negative, default=None),
     )
 
 

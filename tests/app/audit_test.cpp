@@ -68,6 +68,23 @@ class Audits : public Program {
   }
 };
 
+// Squashed to half, the tetrahedron has directions of negative stiffness, which no step cures.
+TEST_F(Audits, CertifyNoStepOfAnIndefiniteTangent) {
+  writeVtk("a0.vtk", 0, 0, [](const Eigen::Vector3d& X) { return X; });
+  writeVtk("a1.vtk", 0.1, 100, [](const Eigen::Vector3d& X) { return Eigen::Vector3d(0.5 * X[0], X[1], X[2]); });
+  const std::string arguments = "a0.vtk a1.vtk --step 1e-6 --junit junit.xml" + std::string(test::material);
+  const Json json = audit(arguments, 3);
+  EXPECT_EQ(json["history"][0]["verdict"], "certified");
+  EXPECT_EQ(json["history"][1]["verdict"], "not-certified");
+  EXPECT_TRUE(json["history"][1]["indefinite"].get<bool>());
+  EXPECT_EQ(json["first"]["not_certified"]["state"], 2);
+  const std::string out = call("audit " + arguments).out;
+  EXPECT_THAT(out, HasSubstr("first step that is not proven stable: state 2 at t = 0.1 s: h = 1e-06 s, safe "));
+  EXPECT_THAT(out, HasSubstr("; the tangent is indefinite, eigenvalue -"));
+  EXPECT_THAT(out, HasSubstr(" s is proven in every one of these states whose tangent is not indefinite, "));
+  EXPECT_THAT(folder_.read("junit.xml"), HasSubstr("not-certified, the tangent is indefinite: step 1e-06 s"));
+}
+
 // A StVK tetrahedron that is stretched to λ in all directions has the tangent of rest times about (3 λ² - 1)/2 and
 // more: its critical step falls. Turned, it has that of rest.
 TEST_F(Audits, ReadLegacyFiles) {

@@ -118,6 +118,21 @@ TEST_F(Inspect, TakesADeformedState) {
   expectRefused(std::string("inspect state.vtu --displacement U --frame 1") + material, "give one of them");
 }
 
+TEST_F(Inspect, ProvesNoStepOfAnIndefiniteTangent) {
+  makeBar();
+  const Mesh mesh = readMesh(folder_.path() / "bar.msh");
+  const NodeVectors u = Eigen::Vector3d(-0.5, 0, 0).asDiagonal() * mesh.X;
+  const VtuField field{"U", 3, std::span<const double>(u.data(), static_cast<std::size_t>(u.size()))};
+  writeVtu(folder_.path() / "state.vtu", mesh, mesh.X, std::span(&field, 1));
+  const std::string squashed = std::string("inspect state.vtu --displacement U --prove 1e-6 --step 1e-6") + material;
+  const Outcome outcome = call(squashed), asJson = call(squashed + " --json -");
+  EXPECT_EQ(outcome.status, 3);
+  EXPECT_EQ(parse(asJson.out)["prove"]["verdict"], "not-certified");
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("h = 1e-06 s: not proven stable (the tangent is indefinite, eigenvalue -"),
+                                 HasSubstr("at h = 1e-06 s: not proven stable (the tangent is indefinite, "),
+                                 HasSubstr("\n  the tangent is indefinite, eigenvalue -")));
+}
+
 TEST_F(Inspect, TakesAFrameOfARun) {
   // A part of the support is a roller, and sets and conditions name nodes.
   std::string scene(tiny);

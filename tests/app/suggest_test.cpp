@@ -239,5 +239,19 @@ TEST_F(Program, SuggestsForTheStepOfTheScene) {
                 "tiny.toml: integrator.step = \"auto\": the time in which steps are counted is needed; give --frame");
 }
 
+/// Springs that push at rest make the tangent indefinite.
+TEST_F(Program, SuggestsNoStepOfAnIndefiniteTangent) {
+  folder_.write("pushed.toml", tiny + std::string("[[spring]]\nwhere = \"x > 0.01 and x < 0.03\"\nto_where = "
+                                                  "\"x > 0.07 and x < 0.09\"\nstiffness = 1e3\nlength = 1\n"));
+  const Outcome outcome = call("suggest pushed.toml --frame 0.02 --json pushed.json");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("the tangent is indefinite, eigenvalue -"));
+  EXPECT_THAT(outcome.out, HasSubstr("as the scene starts       no number of steps is known to be stable"));
+  EXPECT_TRUE(json("pushed.json")["start"]["steps"].is_null());
+  const Outcome step = call("suggest pushed.toml --json pushed.json");
+  EXPECT_EQ(json("pushed.json")["timestep"]["verdict"], "not-certified");
+  EXPECT_THAT(step.out, HasSubstr("is not proven stable: the tangent is indefinite, eigenvalue -"));
+}
+
 }  // namespace
 }  // namespace ringwatch

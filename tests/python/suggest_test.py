@@ -85,6 +85,19 @@ def test_the_least_step_of_a_batch_counts() -> None:
     assert found.safe == rw.suggest(points, cells, YOUNG, POISSON, mass, 1e-3, x=batch[1]).safe
 
 
+def test_no_step_of_an_indefinite_tangent_is_certified() -> None:
+    points, cells = arrays()
+    mass = np.full(len(points), 2e-3)
+    batch = np.stack([points, points * (0.5, 1, 1)])
+    found = rw.suggest(points, cells, YOUNG, POISSON, mass, 1e-6, x=batch)
+    assert (found.verdict, found.substeps) == ("not-certified", None)
+    assert found.lowest_eigenvalue is not None and found.lowest_eigenvalue < 0
+    assert str(found) == (f"dt = 1e-06 s is not proven stable: the tangent is indefinite, eigenvalue "
+                          f"{found.lowest_eigenvalue:.6g} rad2/s2: no step cures that")
+    assert rw.suggest(points, cells, YOUNG, POISSON, mass, 1, x=batch).verdict == "violated"
+    assert rw.suggest(points, cells, YOUNG, POISSON, mass, 1e-6).lowest_eigenvalue is None
+
+
 def test_what_does_not_fit_is_named() -> None:
     points, cells = arrays()
     mass = np.full(len(points), 2e-3)
