@@ -87,7 +87,8 @@ std::vector<Distribution> distributionsOf(const std::vector<MetricResult>& metri
   for (const MetricResult& metric : metrics) {
     ElementSteps own{std::string(metric.info->name), {}};
     for (const auto& block : metric.elementLambda)
-      for (const double lambda : block) own.steps.push_back(stepBy(metric.direction, lambda, rule));
+      for (const double lambda : block)
+        own.steps.push_back(lambda == 0 ? infinity : stepBy(metric.direction, lambda, rule));
     steps.push_back(std::move(own));
   }
   return distributionsOf(std::move(steps));

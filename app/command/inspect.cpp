@@ -703,7 +703,7 @@ InspectResult inspectMesh(const InspectOptions& options) {
   Json& why = result.json["why"] = stepReasons(subject.body, subject.x, subject.rule(), *subject.integrator, step);
   const auto ring =
       std::ranges::find(metrics, "reduced-1-ring", [](const MetricResult& one) { return one.info->name; });
-  addRemedies(why, subject.body, subject.x, subject.rule(), *subject.integrator, OfState::bracket,
+  addRemedies(why, subject.body, subject.x, subject.rule(), *subject.integrator, StepWithout::proven,
               ring == metrics.end() ? nullptr : &*ring);
   result.text += reasonsText(why, "  ", "\n");
   if (options.step) reportStep(subject, metrics, step, *options.step, result);

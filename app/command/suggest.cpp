@@ -103,7 +103,7 @@ SuggestResult suggestSteps(const SuggestOptions& options) {
   if (!scene.handler.empty())
     notes.push_back(fmt::format("without the handler {}: with it larger steps are possible", scene.handler));
   Json& why = json["why"] = stepReasons(body, start.state.x, rule, *start.integrator, bracket);
-  addRemedies(why, body, start.state.x, rule, *start.integrator, OfState::bracket);
+  addRemedies(why, body, start.state.x, rule, *start.integrator, StepWithout::proven);
   result.text += reasonsText(why, "  ", "\n");
   json["notes"] = notes;
   for (const std::string& note : notes) result.text += fmt::format("  note: {}\n", note);

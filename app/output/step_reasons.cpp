@@ -54,12 +54,13 @@ struct OwnStep {
   ElementRef element;
 };
 
-/// Of the elements that have one, least first.
+/// Of the elements that have one, least first. Those without stiffness, of rigid parts and held ones, have none.
 std::vector<OwnStep> ownSteps(const MetricResult& metric, const StepRule& rule) {
   std::vector<OwnStep> steps;
   for (std::size_t b = 0; b < metric.elementLambda.size(); ++b)
     for (std::size_t e = 0; e < metric.elementLambda[b].size(); ++e)
-      if (const double step = rule(metric.elementLambda[b][e]); step > 0 && std::isfinite(step))
+      if (const double lambda = metric.elementLambda[b][e], step = rule(lambda);
+          lambda > 0 && step > 0 && std::isfinite(step))
         steps.push_back({step, {static_cast<std::int32_t>(b), static_cast<std::int32_t>(e)}});
   std::ranges::sort(steps, {}, [](const OwnStep& own) { return std::pair(own.step, own.element); });
   return steps;
@@ -171,6 +172,10 @@ Json paragraph(const Json& why) {
   return text;
 }
 
+void clearRemedies(Json& why) {
+  for (const char* key : {"own_step", "median_step", "remesh", "mass", "handler"}) why[key] = nullptr;
+}
+
 }  // namespace
 
 Json stepReasons(const Body& body, NodeVectorsView x, const StepRule& rule, const IntegratorInfo& integrator,
@@ -203,6 +208,7 @@ Json stepReasons(const Body& body, NodeVectorsView x, const StepRule& rule, cons
   return Json{{"safe", step.safe},
               {"optimistic", numberOrNull(step.optimistic)},
               {"element", elementJson(body.mesh(), element)},
+              {"elements", body.mesh().elementCount()},
               {"cause", causeText(cause)},
               {"height", height},
               {"wave_speed", speed},
@@ -216,20 +222,19 @@ Json stepReasons(const Body& body, NodeVectorsView x, const StepRule& rule, cons
 }
 
 void addRemedies(Json& why, const Body& body, NodeVectorsView x, const StepRule& rule, const IntegratorInfo& integrator,
-                 OfState state, const MetricResult* ring) {
+                 StepWithout without, const MetricResult* ring) {
   if (why.is_null()) return;
   const std::size_t elements = body.mesh().elementCount();
   std::optional<MetricResult> own;
   if (ring == nullptr && elements <= mostRings) ring = &own.emplace(evaluateMetric(ringMetric, body, x));
-  for (const char* key : {"own_step", "median_step", "remesh", "mass", "handler"}) why[key] = nullptr;
-  why["elements"] = elements;
+  clearRemedies(why);
   const std::vector<OwnStep> steps = ring ? ownSteps(*ring, rule) : std::vector<OwnStep>();
   if (!steps.empty()) {
     const double median = steps[steps.size() / 2].step, least = smallShare * median;
     const auto b = why["element"]["block"].get<std::size_t>(), e = why["element"]["index"].get<std::size_t>();
     const bool there = b < ring->elementLambda.size() && e < ring->elementLambda[b].size();
     why["median_step"] = median;
-    if (there) why["own_step"] = numberOrNull(rule(ring->elementLambda[b][e]));
+    if (there && ring->elementLambda[b][e] > 0) why["own_step"] = numberOrNull(rule(ring->elementLambda[b][e]));
     if (!why["own_step"].is_null() && why["own_step"].get<double>() < least)
       why["faults"].push_back(std::string(stepFaultNames.nameOf(StepFault::size)));
     std::size_t few = 0;
@@ -240,7 +245,7 @@ void addRemedies(Json& why, const Body& body, NodeVectorsView x, const StepRule&
       ElementsInTheWay small;
       for (std::size_t i = 0; i < few; ++i) small.all.push_back(steps[i].element);
       const bool taken = whyNoHandlers(body, integrator).empty(),
-                 proven = taken && state == OfState::bracket && elements <= mostBracketed;
+                 proven = taken && without == StepWithout::proven && elements <= mostBracketed;
       const double step = proven ? safeWithout(body, x, rule, small.all) : gain * why["safe"].get<double>();
       if (step > worthDoing * why["safe"].get<double>() && std::isfinite(step)) {
         small.addShapes(body.mesh());
@@ -254,6 +259,12 @@ void addRemedies(Json& why, const Body& body, NodeVectorsView x, const StepRule&
       }
     }
   }
+  why["text"] = paragraph(why);
+}
+
+void addParagraph(Json& why) {
+  if (why.is_null()) return;
+  clearRemedies(why);
   why["text"] = paragraph(why);
 }
 

@@ -28,14 +28,16 @@ inline constexpr auto stepFaultNames = nameTable<StepFault>({
 nlohmann::ordered_json stepReasons(const Body& body, NodeVectorsView x, const StepRule& rule,
                                    const IntegratorInfo& integrator, const CriticalStep& step);
 
-/// Of which state positions are: that of the bracket, or another one of its body.
-enum class OfState { bracket, other };
-/// Completes what stepReasons() gave: what it would bring to remesh, to add mass or to take a handler, by the steps of
-/// the elements' reduced 1-rings at x, and the paragraph, a line an entry of `text`. ring: at x where it is known; else
-/// it is evaluated in bodies of up to 20 000 elements. Without the elements in the way a step is proven in the state of
-/// the bracket, for bodies of up to 5000 elements that take handlers, and else guessed by the rings.
+/// How the step without the elements in the way is had: from a bracket of its own, or from their rings.
+enum class StepWithout { proven, guessed };
+/// Completes what stepReasons() gave, of the same body and positions x: what it would bring to remesh, to add mass or
+/// to take a handler, by the steps of the elements' reduced 1-rings, and the paragraph, a line an entry of `text`.
+/// ring: at x where it is known; else it is evaluated in bodies of up to 20 000 elements. A step is proven for bodies
+/// of up to 5000 elements that take handlers, and else guessed.
 void addRemedies(nlohmann::ordered_json& why, const Body& body, NodeVectorsView x, const StepRule& rule,
-                 const IntegratorInfo& integrator, OfState state, const MetricResult* ring = nullptr);
+                 const IntegratorInfo& integrator, StepWithout without, const MetricResult* ring = nullptr);
+/// The paragraph alone, where the body or the state is not at hand any more.
+void addParagraph(nlohmann::ordered_json& why);
 
 /// The paragraph, each of its lines between two texts; "" where there is none.
 std::string reasonsText(const nlohmann::ordered_json& why, std::string_view before, std::string_view after);

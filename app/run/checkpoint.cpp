@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int format = 11;  // of the file; any change of what is in it counts
+constexpr int format = 12;  // of the file; any change of what is in it counts
 constexpr std::string_view anyMark = "ringwatch checkpoint";
 const std::string mark = fmt::format("{} {}\n", anyMark, format);
 
@@ -43,20 +43,6 @@ class Hash {
  private:
   std::uint64_t value_ = 0xcbf29ce484222325u;
 };
-
-Json binaryOf(const NodeVectors& vectors) {
-  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(vectors.size()) * sizeof(double));
-  if (!bytes.empty()) std::memcpy(bytes.data(), vectors.data(), bytes.size());
-  return Json::binary(std::move(bytes));
-}
-
-NodeVectors vectorsOf(const Json& json) {
-  const auto& bytes = json.get_binary();
-  NodeVectors vectors(3, static_cast<Eigen::Index>(bytes.size() / (3 * sizeof(double))));
-  if (static_cast<std::size_t>(vectors.size()) * sizeof(double) != bytes.size()) throw InputError("no 3×N numbers");
-  if (!bytes.empty()) std::memcpy(vectors.data(), bytes.data(), bytes.size());
-  return vectors;
-}
 
 /// What the bytes of Checkpoint::memory depend on.
 std::string buildText() { return fmt::format("{}, {} lanes", __VERSION__, nativeWidth); }
@@ -84,6 +70,20 @@ std::string firstDifference(const Json& a, const Json& b, const std::string& pat
 }
 
 }  // namespace
+
+Json binaryOf(const NodeVectors& vectors) {
+  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(vectors.size()) * sizeof(double));
+  if (!bytes.empty()) std::memcpy(bytes.data(), vectors.data(), bytes.size());
+  return Json::binary(std::move(bytes));
+}
+
+NodeVectors vectorsOf(const Json& json) {
+  const auto& bytes = json.get_binary();
+  NodeVectors vectors(3, static_cast<Eigen::Index>(bytes.size() / (3 * sizeof(double))));
+  if (static_cast<std::size_t>(vectors.size()) * sizeof(double) != bytes.size()) throw InputError("no 3×N numbers");
+  if (!bytes.empty()) std::memcpy(vectors.data(), bytes.data(), bytes.size());
+  return vectors;
+}
 
 std::uint64_t hashOf(const Mesh& mesh) {
   Hash hash;

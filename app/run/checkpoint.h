@@ -27,6 +27,11 @@ struct Checkpoint {
 /// Name of the file in the folder of a run.
 inline constexpr const char* checkpointFile = "checkpoint.bin";
 
+/// Vectors at nodes, 3×N, as bytes in JSON.
+nlohmann::ordered_json binaryOf(const NodeVectors& vectors);
+/// Throws InputError where the bytes are not those of three numbers a node.
+NodeVectors vectorsOf(const nlohmann::ordered_json& json);
+
 /// A number for nodes and elements of a mesh; another mesh has another one.
 std::uint64_t hashOf(const Mesh& mesh);
 

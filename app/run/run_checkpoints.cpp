@@ -28,7 +28,9 @@ void RunCheckpoints::write() {
   count_ = std::max(count_ + 1, static_cast<std::int64_t>(reached / *run_.scene.checkpointInterval));
   {
     const Stopwatch measured(run_.result.outputTime);
-    writeCheckpoint(run_.options.folder, saved());
+    Checkpoint checkpoint = saved();
+    checkpoint.parts["recorder"] = run_.recorder.save();
+    writeCheckpoint(run_.options.folder, checkpoint);
   }
   run_.beginWatch();
   run_.loads.begin(run_.state.x);
@@ -122,7 +124,7 @@ void RunCheckpoints::resumeParts(const Checkpoint& saved) {
   run_.beginWatch();
   run_.loads.begin(run_.state.x);
   run_.loads.setForces(run_.state.time, run_.state.x);
-  if (saved.memory.empty()) return;
+  if (saved.memory.empty()) return run_.recorder.resume(saved.parts.at("recorder"));
   LoadingArchive archive(saved.memory);
   run_.archive(archive);
   archive.end();

@@ -9,6 +9,7 @@
 #include <ringwatch/app/command/integrator_catalog.h>
 #include <ringwatch/app/output/report.h>
 #include <ringwatch/app/output/step_reasons.h>
+#include <ringwatch/app/run/checkpoint.h>
 #include <ringwatch/body/discrete_forces.h>
 
 namespace ringwatch {
@@ -61,14 +62,33 @@ void RunRecorder::recordDiscrete(const MonitorReport& report, const Body& body, 
   if (!discrete.leastSafe || report.bracket->safe < *discrete.leastSafe) discrete.leastSafe = report.bracket->safe;
 }
 
-void RunRecorder::recordReasons(const MonitorReport& report, const Body& body, NodeVectorsView x,
+void RunRecorder::recordReasons(const MonitorReport& report, const Body& body, const State& state,
                                 const StepRule& rule) {
   if (!report.fresh || !report.bracket || result_.violatedStepTaken || !scene_.handler.empty()) return;
   if (!result_.why.is_null() && report.bracket->safe >= result_.why["safe"].get<double>()) return;
-  result_.why = stepReasons(body, x, rule, *integratorCatalog().find(scene_.method), *report.bracket);
+  result_.why = stepReasons(body, state.x, rule, *integratorCatalog().find(scene_.method), *report.bracket);
   if (result_.why.is_null()) return;
   result_.why["step"] = report.step;
   result_.why["time"] = report.time;
+  leastX_ = state.x;
+  if (body.elementDamping()) leastV_ = state.v;
+  leastElements_ = body.elementCount();
+}
+
+void RunRecorder::completeReasons(Body& body, const StepRule& rule) {
+  if (leastX_.cols() != body.nodeCount() || leastElements_ != body.elementCount()) return addParagraph(result_.why);
+  if (body.elementDamping()) body.followDampingRates(leastX_, leastV_);
+  addRemedies(result_.why, body, leastX_, rule, *integratorCatalog().find(scene_.method), StepWithout::guessed);
+}
+
+nlohmann::ordered_json RunRecorder::save() const {
+  return {{"x", binaryOf(leastX_)}, {"v", binaryOf(leastV_)}, {"elements", leastElements_}};
+}
+
+void RunRecorder::resume(const nlohmann::ordered_json& saved) {
+  leastX_ = vectorsOf(saved.at("x"));
+  leastV_ = vectorsOf(saved.at("v"));
+  leastElements_ = saved.at("elements").get<std::int64_t>();
 }
 
 void RunRecorder::countSteps(std::int64_t taken, double h) {

@@ -19,8 +19,11 @@ class RunRecorder {
   void record(const MonitorReport& report, const Mesh& mesh);
   /// What springs and contact are like at the state x of a report, where there are any.
   void recordDiscrete(const MonitorReport& report, const Body& body, NodeVectorsView x);
-  /// Why the step is small at the state x of a report, where it is the least so far.
-  void recordReasons(const MonitorReport& report, const Body& body, NodeVectorsView x, const StepRule& rule);
+  /// Why the step is small at the state of a report, where it is the least so far. Keeps that state.
+  void recordReasons(const MonitorReport& report, const Body& body, const State& state, const StepRule& rule);
+  /// What would make that step larger, by the state that was kept; where cuts or erosion have changed the body since,
+  /// nothing is known of it.
+  void completeReasons(Body& body, const StepRule& rule);
   /// The events alone, where no step is taken.
   void recordEvents(const MonitorReport& report, const Mesh& mesh);
   /// Steps of h (s) that were taken.
@@ -30,12 +33,22 @@ class RunRecorder {
   /// Why the run is called neither stable nor certified, for its notes.
   void noteWhatIsNotCertified(const Mesh& mesh);
 
+  /// The state that was kept, for a checkpoint without the memory of the parts.
+  nlohmann::ordered_json save() const;
+  void resume(const nlohmann::ordered_json& saved);
+  template <class Archive>
+  void archive(Archive& a) {
+    a(leastX_, leastV_, leastElements_);
+  }
+
  private:
   void recordGoverning(const MonitorReport& report);
 
   const Scene& scene_;
   RunResult& result_;
   std::vector<int> materialOfBlock_;  // empty where there is one
+  NodeVectors leastX_, leastV_;       // of the least safe step; velocities where elements damp
+  std::int64_t leastElements_ = 0;    // that its body had
 };
 
 }  // namespace ringwatch

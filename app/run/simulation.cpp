@@ -6,8 +6,6 @@
 
 #include <fmt/format.h>
 
-#include <ringwatch/app/command/integrator_catalog.h>
-#include <ringwatch/app/output/step_reasons.h>
 #include <ringwatch/app/run/stopwatch.h>
 #include <ringwatch/app/scene/scene_discrete.h>
 #include <ringwatch/app/scene/scene_features.h>
@@ -233,7 +231,7 @@ void Simulation::record(const MonitorReport& report, bool rowDue) {
   output->open();
   recorder.record(report, body.mesh());
   recorder.recordDiscrete(report, body, state.x);
-  recorder.recordReasons(report, body, state.x, rule);
+  recorder.recordReasons(report, body, state, rule);
   output->certificates().record(report, state, result.worst == Verdict::violated);
   if (rowDue) {
     HistoryRow row;
@@ -346,7 +344,7 @@ void Simulation::finish() {
   }
   result.runaway = energies.runaway();
   const Stopwatch measured(result.outputTime);
-  addRemedies(result.why, body, body.mesh().X, rule, *integratorCatalog().find(scene.method), OfState::other);
+  recorder.completeReasons(body, rule);
   output->finish(result, state, whole && finite ? &last : nullptr);
 }
 

@@ -56,7 +56,7 @@ class Simulation {
   /// What the parts know beyond state and result. Loading needs the same body, and its watch begun.
   template <class Archive>
   void archive(Archive& a) {
-    a(state.a, state.lag, energies, loads, watch, output->certificates());
+    a(state.a, state.lag, energies, loads, watch, recorder, output->certificates());
     if (ElementDamping* damping = body.elementDamping()) a(*damping);
   }
   /// The energies of the state, in a pass of their own.

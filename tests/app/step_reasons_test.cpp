@@ -165,6 +165,39 @@ TEST_F(Program, RunSaysWhyOfItsLeastSafeStep) {
   }());
 }
 
+// The elements are told of in the state whose bracket is shown, as inspect tells of it.
+TEST_F(Program, RunSpeaksOfTheStateOfItsLeastSafeStep) {
+  folder_.write("tiny.toml", tiny);
+  const Outcome outcome = call("run tiny.toml --out r --set output.every=1e-3 --set move.0.velocity=\"[1, 0, 0]\"");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Json why = json("r/summary.json")["why"];
+  ASSERT_GT(why["step"].get<int>(), 10);
+  const auto inspected = [&](int step) {
+    return parse(call("inspect r --json - --frame " + std::to_string(step + 1)).out)["why"];
+  };
+  const Json same = inspected(why["step"].get<int>()), rest = inspected(0);
+  EXPECT_NEAR(why["median_step"].get<double>() / same["median_step"].get<double>(), 1, 1e-6);
+  EXPECT_GT(rest["median_step"].get<double>() / same["median_step"].get<double>(), 1.1);
+}
+
+// A rigid part has a step of its own by mass damping alone, which says nothing of the elements.
+TEST_F(Program, ElementsWithoutStiffnessDoNotCount) {
+  folder_.write("row.inp", row({0.01, 0.01, 0.001, 0.01, 0.01, 0.01, 0.01, 0.01, 0.01, 0.01, 0.01, 0.01, 0.01, 0.01}));
+  const auto told = [&](double damping) {
+    folder_.write("row.toml",
+                  "[mesh]\nfile = \"row.inp\"\n[material]\nmodel = \"stvk\"\nyoung = 30e3\npoisson = 0.3\ndensity = "
+                  "1000\n[integrator]\nstep = \"auto\"\nend = 1\n[[rigid]]\nname = \"head\"\nwhere = \"x > "
+                  "0.06\"\n[damping]\nmass = " +
+                      test::digits(damping) + "\n");
+    return parse(call("suggest row.toml --frame 1 --json -").out)["why"];
+  };
+  const Json plain = told(0), damped = told(1e-6);
+  EXPECT_EQ(plain["remesh"]["elements"], 1);
+  EXPECT_EQ(damped["remesh"]["numbers"], plain["remesh"]["numbers"]);
+  EXPECT_NEAR(damped["median_step"].get<double>() / plain["median_step"].get<double>(), 1, 1e-5);
+  EXPECT_NEAR(damped["mass"]["added"].get<double>() / plain["mass"]["added"].get<double>(), 1, 1e-5);
+}
+
 TEST_F(Program, AWhollyHeldBodyHasNoLargestStep) {
   folder_.write("row.inp", row({0.01, 0.01}));
   // The call expects that the JSON is valid against its schema.
