@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <ringwatch/base/archive.h>
 #include <ringwatch/base/error.h>
@@ -32,6 +33,7 @@ struct StabilityMonitor::Impl {
   EventTracker tracker;
   EnergyCheck energies;
   std::int64_t observations = 0, bodyVersion = 0;
+  bool evaluatesNext = false;
   bool unknown = false;      // the last state had no tangent
   bool hadABracket = false;  // the best proof is for the first one alone
 
@@ -183,6 +185,8 @@ void StabilityMonitor::load(std::string_view saved) {
   archive.end();
 }
 
+void StabilityMonitor::evaluateNext() { impl_->evaluatesNext = true; }
+
 const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, NodeVectorsView x, NodeVectorsView v,
                                                std::optional<double> h, StepEvaluation* evaluation) {
   Impl& m = *impl_;
@@ -200,8 +204,8 @@ const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, N
   report.spent = {};
 
   const bool finite = allFinite(x, m.body.threads()) && allFinite(v, m.body.threads());
-  const bool due =
-      finite && (m.observations++ % m.options.every == 0 || m.unknown || m.bodyVersion != m.body.version());
+  const bool due = finite && (m.observations++ % m.options.every == 0 || m.unknown ||
+                              m.bodyVersion != m.body.version() || std::exchange(m.evaluatesNext, false));
   if (evaluation && (!due || !m.bracket)) {
     m.body.evaluate(x, *evaluation, m.workspace);
     evaluation = nullptr;

@@ -118,6 +118,8 @@ class StabilityMonitor {
   StabilityMonitor(const Body& body, const MonitorOptions& options);
   ~StabilityMonitor();
 
+  /// Makes the next observation evaluate its state, whatever `every` says: the last one of a run.
+  void evaluateNext();
   /// Observes positions x (3×N, m) and velocities v (3×N, m/s) before step number `step` of size h (s) is taken from
   /// them; h is empty while no step is chosen, and then no step is checked. Unless nullptr, `evaluation` is filled in
   /// at x: the monitor tests the elements in the one pass that computes what it asks for. When masses or constraints of

@@ -57,6 +57,16 @@ bool RunRepeats::goBack(const MonitorReport& report) {
   return true;
 }
 
+bool RunRepeats::goBackFromEnd() {
+  if (run_.scene.onViolation != OnViolation::repeat || !certified_ || certified_->result.steps == run_.result.steps)
+    return false;
+  run_.watch.evaluateNext();
+  const MonitorReport report = run_.observe(run_.result.steps, false);
+  if (goBack(report)) return true;
+  run_.recordEvents(report);
+  return false;
+}
+
 bool RunRepeats::returnToCertified() {
   if (!certified_ || certified_->result.steps == run_.result.steps) return false;
   restore(*certified_);

@@ -21,6 +21,8 @@ class RunRepeats {
   /// Where a report of the state has no certified step, or the state is not finite: goes back to the last certified
   /// state, and is true. Ends the run where it has been there as often as the scene allows.
   bool goBack(const MonitorReport& report);
+  /// Observes the state at the end of the run, which no step leaves, and goes back from it likewise.
+  bool goBackFromEnd();
   /// Goes back to the last certified state, for a checkpoint: a run that is resumed there has the bits of one that goes
   /// on. False where the run is there, or has none.
   bool returnToCertified();

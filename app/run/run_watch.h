@@ -32,6 +32,10 @@ class RunWatch {
   /// Observes the state before step k of h seconds (empty while none is chosen). evaluation: as of
   /// StabilityMonitor::observe; nullptr unless sharesPass().
   MonitorReport observe(std::int64_t k, const State& state, std::optional<double> h, StepEvaluation* evaluation);
+  /// Makes the next observation one of the very state, where every state is seen.
+  void evaluateNext() {
+    if (monitor_) monitor_->evaluateNext();
+  }
   /// Adds to the report what the energies of the state (empty: not known) and the handled elements say.
   void complete(MonitorReport& report, const State& state, const std::optional<Energies>& energies);
   /// A step is certified only with the handled parts that need a proof of their own.

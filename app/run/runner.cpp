@@ -81,8 +81,11 @@ class Runner {
     for (std::int64_t k = run_.result.steps;; k = run_.result.steps) {
       run_.setLoads();
       // A rounding error in the sum of the steps must not add one.
-      if (run_.steps.step() > 0 && run_.state.time >= run_.scene.end - 1e-3 * run_.steps.step())
-        return run_.end(ExitReason::end, "end time reached");
+      if (run_.steps.step() > 0 && run_.state.time >= run_.scene.end - 1e-3 * run_.steps.step()) {
+        if (repeats_.goBackFromEnd()) continue;
+        if (run_.result.reason == ExitReason::end) run_.end(ExitReason::end, "end time reached");
+        return;
+      }
       if (run_.options.interrupt && run_.options.interrupt->load()) {
         repeats_.returnToCertified();
         checkpoints_.writeAsItIs();

@@ -65,6 +65,22 @@ TEST_F(Repeats, GoesBackToTheStartAndIsTheRunWithTheSmallerStep) {
   EXPECT_EQ(summary["frames"], json("direct/summary.json")["frames"]);
 }
 
+// Its only look but the last is at the start.
+TEST_F(Repeats, JudgesTheEndOfTheRun) {
+  const double h = 0.999 * startStep();
+  const std::string options =
+      " --set monitor.every=100 --set monitor.on_violation=repeat --set integrator.end=" + test::digits(8 * h) +
+      " --set output.every=" + test::digits(8 * h);
+  const Outcome outcome = run("--out r" + options, h);
+  ASSERT_LE(outcome.status, 3) << outcome.err;
+  const Json summary = json("r/summary.json");
+  EXPECT_GE(summary["repeats"]["count"], 1);
+  EXPECT_LT(summary["largest_step"].get<double>(), h);
+  const std::string last = "inspect r --frame " + std::to_string(summary["frames"].get<int>()) + " --json - --prove ";
+  EXPECT_EQ(call(last + test::digits(summary["largest_step"])).status, 0);
+  EXPECT_NE(call(last + test::digits(h)).status, 0);
+}
+
 /// By the step that a run goes back to, a timed load has done the work that it had done there the first time.
 TEST_F(Repeats, CountsTheWorkOfTimedLoadsOnce) {
   folder_.write("timed.toml", R"toml([mesh]
