@@ -443,6 +443,7 @@ class DeckReader : DeckWriter {
     } else if (name == "SURFACE") {
       const std::string type = inUpperCase(keyword_.value("TYPE"));
       if (!type.empty() && type != "ELEMENT" && type != "NODE") return leaveOut(keyword_);
+      if (keyword_.value("NAME").empty()) return refuseHere(" needs a name, NAME=");
       const auto [entry, isNew] = surfaces_.try_emplace(partKey(keyword_.value("NAME")));
       if (!isNew) return refuseSecond(entry->second.keyword.position);
       surface_ = &entry->second;
@@ -458,11 +459,14 @@ class DeckReader : DeckWriter {
     } else if (name == "CONTACTPAIR") {
       if (ofFirstStep()) reading_ = Reading::contact;
     } else if (name == "SURFACEINTERACTION") {
+      if (keyword_.value("NAME").empty()) return refuseHere(" needs a name, NAME=");
       interaction_ = inUpperCase(keyword_.value("NAME"));
       if (!frictions_.try_emplace(interaction_, 0).second)
         return refuseHere(fmt::format(" {} is given a second time; leave one out", inQuotes(interaction_)));
     } else if (name == "FRICTION") {
       if (interaction_.empty()) return refuseHere(" stands before any *SURFACE INTERACTION");
+      if (const auto [first, isNew] = frictionAt_.try_emplace(interaction_, keyword_.position); !isNew)
+        return refuseSecond(first->second);
       reading_ = Reading::friction;
     } else if (name == "CONTACT" || name == "SURFACEBEHAVIOR") {
       return;
@@ -484,8 +488,12 @@ class DeckReader : DeckWriter {
   }
   void scaleMass() {
     const auto number = [&](const char* key) { return lines_.real(keyword_.value(key), key, keyword_.position); };
-    if (keyword_.has("FACTOR")) scalings_.push_back({keyword_.value("ELSET"), number("FACTOR"), keyword_.position});
-    if (!keyword_.has("DT")) return;
+    const bool isFixed = withoutBlanks(keyword_.name) == "FIXEDMASSSCALING";
+    if (!isFixed && !keyword_.has("DT")) return refuse(keyword_.position, "*VARIABLE MASS SCALING needs DT=");
+    // Without either the factor is 1, which takes an earlier one back.
+    if (isFixed && (keyword_.has("FACTOR") || !keyword_.has("DT")))
+      scalings_.push_back({keyword_.value("ELSET"), keyword_.has("FACTOR") ? number("FACTOR") : 1, keyword_.position});
+    if (!keyword_.has("DT") || !firstOf(scaledForAt_)) return;
     if (keyword_.has("ELSET"))
       return refuse(keyword_.position, fmt::format("*{}, DT and ELSET: {}", keyword_.name, massOfAll));
     if (!forRun())
@@ -558,7 +566,8 @@ class DeckReader : DeckWriter {
       case Reading::initial:
         return initial(words, line.position);
       case Reading::dynamic:
-        if (dataLines_ == 1)
+        if (dataLines_ > 1) return refuse(line.position, "*DYNAMIC has a second line; it has one");
+        if (constexpr std::size_t times = 4; hasAtMost(times, words, line.position))
           for (std::size_t i = 0; i < words.size(); ++i)
             times_.push_back(words[i].empty() ? 0 : lines_.real(words[i], "a time of *DYNAMIC", line.position));
         return;
@@ -603,6 +612,9 @@ class DeckReader : DeckWriter {
           return refuse(line.position, fmt::format("*{}: its interaction is of all surfaces here, \", , NAME\"; give "
                                                    "pairs as *CONTACT PAIR",
                                                    keyword_.name));
+        if (dataLines_ > 1)
+          return refuse(line.position,
+                        fmt::format("*{}: a second line of all surfaces; they have one interaction", keyword_.name));
         generalInteraction_ = inUpperCase(words[2]);
         return;
       case Reading::contact:
@@ -617,6 +629,13 @@ class DeckReader : DeckWriter {
         frictions_[interaction_] = lines_.real(words[0], "the coefficient of friction", line.position);
         return;
     }
+  }
+  /// Refuses a line with entries behind those that are known, which would be passed over.
+  bool hasAtMost(std::size_t count, const std::vector<std::string_view>& words, std::size_t position) {
+    if (words.size() > count)
+      refuse(position,
+             fmt::format("*{}: a line has {} entries; it must have at most {}", keyword_.name, words.size(), count));
+    return words.size() <= count;
   }
   /// Further lines are values at other temperatures.
   bool onlyOneLine(std::size_t position) {
@@ -643,7 +662,8 @@ class DeckReader : DeckWriter {
     if (dataLines_ > 1) return refuse(position, "*BULK VISCOSITY has a second line; it has one");
     Json& damping = scene_.sections["damping"];
     static constexpr std::string_view keys[] = {"linear_bulk_viscosity", "quadratic_bulk_viscosity"};
-    for (std::size_t i = 0; i < std::min(words.size(), std::size(keys)); ++i)
+    if (!hasAtMost(std::size(keys), words, position)) return;
+    for (std::size_t i = 0; i < words.size(); ++i)
       if (!words[i].empty())
         damping[std::string(keys[i])] = lines_.real(words[i], "a number of *BULK VISCOSITY", position);
   }
@@ -755,6 +775,7 @@ class DeckReader : DeckWriter {
 
   void boundary(const std::vector<std::string_view>& words, std::size_t position) {
     if (words.size() < 2) lines_.failAt(position, "*BOUNDARY needs a node or set and a degree of freedom");
+    if (constexpr std::size_t entries = 4; !hasAtMost(entries, words, position)) return;
     DeckBoundary held;
     held.selection = selectionOf(words[0], position);
     held.position = position;
@@ -799,13 +820,21 @@ class DeckReader : DeckWriter {
   void initial(const std::vector<std::string_view>& words, std::size_t position) {
     if (words.size() < 3) lines_.failAt(position, "an initial velocity needs a node or set, 1, 2 or 3, and its value");
     const std::optional<int> component = componentOf(words[1], position);
-    if (!component) return;
-    initials_.push_back(
-        {selectionOf(words[0], position), *component, lines_.real(words[2], "the velocity", position), position});
+    const double velocity = lines_.real(words[2], "the velocity", position);
+    if (constexpr std::size_t entries = 3; !hasAtMost(entries, words, position)) return;
+    if (!component) {
+      if (velocity != 0)
+        refuse(position,
+               "*INITIAL CONDITIONS: a velocity of rotation; a solid's nodes do not turn, and [[initial]] "
+               "with angular_velocity of a scene turns a body");
+      return;
+    }
+    initials_.push_back({selectionOf(words[0], position), *component, velocity, position});
   }
 
   void cload(const std::vector<std::string_view>& words, std::size_t position) {
     if (words.size() < 3) lines_.failAt(position, "*CLOAD needs a node or set, 1, 2 or 3, and a force");
+    if (constexpr std::size_t entries = 3; !hasAtMost(entries, words, position)) return;
     const std::optional<int> component = componentOf(words[1], position);
     if (!component) return refuse(position, "*CLOAD: a moment; a solid's nodes have forces");
     DeckLoad load{selectionOf(words[0], position), Eigen::Vector3d::Zero()};
@@ -819,6 +848,7 @@ class DeckReader : DeckWriter {
     const std::string label = words.size() > 1 ? inUpperCase(words[1]) : "";
     if (const std::optional<int> face = faceOf(label, 'P')) {
       if (words.size() < 3) lines_.failAt(position, "*DLOAD needs an element or set, a face, P1 to P6, and a pressure");
+      if (constexpr std::size_t entries = 3; !hasAtMost(entries, words, position)) return;
       return press(facesOf(std::string(words[0]), *face, position), words[2], position);
     }
     static constexpr std::pair<std::string_view, std::string_view> others[] = {
@@ -832,6 +862,7 @@ class DeckReader : DeckWriter {
                     fmt::format("*DLOAD, {}: of distributed loads GRAV and P1 to P6 are taken", inQuotes(label)));
     if (words.size() < 6)
       lines_.failAt(position, "GRAV needs an acceleration and the three components of its direction");
+    if (constexpr std::size_t entries = 6; !hasAtMost(entries, words, position)) return;
     const Eigen::Vector3d direction(lines_.real(words[3], "the direction", position),
                                     lines_.real(words[4], "the direction", position),
                                     lines_.real(words[5], "the direction", position));
@@ -894,6 +925,7 @@ class DeckReader : DeckWriter {
   void dsload(const std::vector<std::string_view>& words, std::size_t position) {
     if (words.size() < 3 || inUpperCase(words[1]) != "P")
       return refuse(position, "*DSLOAD: a line must be a surface, P, and a pressure; no other load is taken");
+    if (constexpr std::size_t entries = 3; !hasAtMost(entries, words, position)) return;
     const auto& [surface, prefix] = surfaceNamed(words[0]);
     if (surface == nullptr || surface->ofNodes)
       return refuse(position, fmt::format("*DSLOAD: there is no *SURFACE {} of element faces", inQuotes(words[0])));
@@ -1344,12 +1376,14 @@ class DeckReader : DeckWriter {
   std::vector<DeckRigid> rigids_;
   std::map<std::string, std::string> points_;  // of node sets, as nodeSets_: pointOf the only node, or severalNodes
   std::optional<std::size_t> viscosityAt_;     // of *BULK VISCOSITY
+  std::optional<std::size_t> scaledForAt_;     // of mass scaling by DT
   std::map<std::string, Surface> surfaces_;
   Surface* surface_ = nullptr;
   std::vector<DeckContact> contacts_;
   std::optional<std::size_t> general_;  // of contacts_: the one of *CONTACT
   std::string interaction_, generalInteraction_;
   std::map<std::string, double> frictions_;  // by *SURFACE INTERACTION
+  std::map<std::string, std::size_t> frictionAt_;
   std::vector<DeckInitial> initials_;
   std::map<std::string, DeckAmplitude> amplitudes_;
   DeckAmplitude* amplitude_ = nullptr;

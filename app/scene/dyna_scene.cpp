@@ -34,7 +34,7 @@ using Json = nlohmann::ordered_json;
 constexpr double usualStepFactor = 0.9, usualQuadratic = 1.5, usualLinear = 0.06, usualHourglass = 0.1;
 constexpr double poissonOfBlatzKo = 0.463;
 /// Hourglass controls up to this one are viscous, those above are of stiffness.
-constexpr std::int64_t lastViscous = 3;
+constexpr std::int64_t lastViscous = 3, lastHourglass = 10;
 /// IDRFLG of no relaxation, whatever curves say.
 constexpr std::int64_t noRelaxation = -999;
 /// Times at which nothing ends.
@@ -99,8 +99,8 @@ class DynaReader : DeckWriter {
     writeDamping();
     writeIntegrator();
     writeRigidParts();
-    std::erase_if(boundaries_, [&](const DeckBoundary& held) { return isOfOthers(held.selection); });
-    std::erase_if(loads_, [&](const DeckLoad& load) { return isOfOthers(load.selection); });
+    std::erase_if(boundaries_, [&](const DeckBoundary& held) { return isOfOthers(held.selection, held.position); });
+    std::erase_if(loads_, [&](const DeckLoad& load) { return isOfOthers(load.selection, load.position); });
     writeBoundaries();
     for (const auto& write : later_) write();
     for (const DeckLoad& load : loads_) writeLoad(load);
@@ -144,7 +144,8 @@ class DynaReader : DeckWriter {
       }
     }
     if (ofMaterial && (law != nullptr || rule->rule == DeckRule::harmless)) handler_ = &DynaReader::material;
-    if (rule != nullptr && (rule->rule == DeckRule::taken || (rule->rule == DeckRule::takenInRun && forRun())))
+    if (rule != nullptr && (rule->rule == DeckRule::mesh || rule->rule == DeckRule::taken ||
+                            (rule->rule == DeckRule::takenInRun && forRun())))
       if (const auto* own =
               std::find_if(handlers, handlers + handlerCount, [&](const Handler& one) { return one.keyword == name; });
           own != handlers + handlerCount)
@@ -183,7 +184,8 @@ class DynaReader : DeckWriter {
     for (std::size_t i = 0; i < cards_.size();) {
       if (titles) ++i;
       if (i >= cards_.size()) break;
-      if (cards_[i].text.empty()) {  // a line of blanks gives nothing
+      // A line of blanks gives nothing, but as the first of several cards of an entry, whose fields all have defaults.
+      if (cards_[i].text.empty() && (perEntry == 1 || (i > 0 && nothingFollows(i)))) {
         ++i;
         continue;
       }
@@ -195,6 +197,10 @@ class DynaReader : DeckWriter {
       each(DynaCard(lines_, keyword_, cards_[i], layout), next);
       i += perEntry;
     }
+  }
+  bool nothingFollows(std::size_t i) const {
+    return std::all_of(cards_.begin() + static_cast<std::ptrdiff_t>(i), cards_.end(),
+                       [](const DeckLine& line) { return line.text.empty(); });
   }
   template <class Each>
   void forEachCard(const Each& each) {
@@ -209,6 +215,13 @@ class DynaReader : DeckWriter {
   static double scaleOf(const DynaCard& card, std::size_t i, std::string_view name) {
     const double value = card.real(i, name);
     return value == 0 ? 1 : value;
+  }
+  /// Of a keyword of which a deck has one: keeps where it stands.
+  void once(std::optional<std::size_t>& at, const DynaCard& card) {
+    if (at)
+      refuse(card.position(),
+             fmt::format("*{} gives a second time what {} gives; leave one out", keyword_.name, placeOf(*at)));
+    at = card.position();
   }
   template <class Map>
   void refuseSecond(const Map& known, std::int64_t id, const DynaCard& card) {
@@ -241,14 +254,20 @@ class DynaReader : DeckWriter {
     forEachCard([&](const DynaCard& card) {
       const std::int64_t id = card.id(0, "HGID");
       refuseSecond(hourglasses_, id, card);
-      hourglasses_.insert_or_assign(id, DynaHourglass{card.whole(1, "IHQ"), card.real(2, "QM"), card.position()});
+      hourglasses_.insert_or_assign(id, DynaHourglass{hourglassType(card, 1), card.real(2, "QM"), card.position()});
       for (const auto& [field, name] : {std::pair<std::size_t, const char*>{4, "Q1"}, {5, "Q2"}})
         if (card.real(field, name) != 0) ofPart_.push_back({field == 4, card.real(field, name), card.position()});
     });
   }
   void controlHourglass() {
     const DynaCard own = card(0);
-    hourglass_ = {own.whole(0, "IHQ"), own.real(1, "QH"), own.position()};
+    once(hourglassAt_, own);
+    hourglass_ = {hourglassType(own, 0), own.real(1, "QH"), own.position()};
+  }
+  static std::int64_t hourglassType(const DynaCard& card, std::size_t field) {
+    const std::int64_t type = card.whole(field, "IHQ");
+    if (type < 0 || type > lastHourglass) card.fail(field, "IHQ", fmt::format("0 to {}", lastHourglass));
+    return type;
   }
 
   void material() {
@@ -383,7 +402,7 @@ class DynaReader : DeckWriter {
       const double mass = card.real(2, "MASS");
       if (mass == 0) return;
       later_.emplace_back([this, node, mass, position = card.position()] {
-        if (isOfOthers(node)) return;
+        if (isOfOthers(node, position)) return;
         keepApart("mass");  // the mass of an entry is that of all its nodes
         addEntry("mass", node, {{"mass", mass}}, position);
       });
@@ -391,7 +410,7 @@ class DynaReader : DeckWriter {
   }
 
   /// Whether a selection is of nodes of elements alone that are left out, or of parts of them; counts those.
-  bool isOfOthers(const std::string& selection) {
+  bool isOfOthers(const std::string& selection, std::size_t position) {
     if (structures_.empty() || selection.empty()) return false;
     if (ofSolids_.empty()) {
       ofSolids_.resize(mesh().nodeCount(), false);
@@ -399,13 +418,20 @@ class DynaReader : DeckWriter {
         for (const std::int32_t node : block.connectivity) ofSolids_[static_cast<std::size_t>(node)] = true;
     }
     const std::vector<std::int32_t> nodes = nodesOf(selection);
-    const bool isOther =
-        nodes.empty()
-            ? selection.starts_with("part")
-            : std::ranges::none_of(nodes, [&](std::int32_t node) { return ofSolids_[static_cast<std::size_t>(node)]; });
+    const auto isPartThatIs = [&] {
+      constexpr std::string_view part = "part-", partSet = "partset-";
+      if (selection.starts_with(part)) requirePart(std::stoll(selection.substr(part.size())), position);
+      return selection.starts_with(part) ||
+             (selection.starts_with(partSet) && partSets_.contains(std::stoll(selection.substr(partSet.size()))));
+    };
+    const bool isOther = nodes.empty() ? isPartThatIs() : std::ranges::none_of(nodes, [&](std::int32_t node) {
+      return ofSolids_[static_cast<std::size_t>(node)];
+    });
     if (isOther) ++others_;
     return isOther;
   }
+
+  void partSet() { partSets_.insert(card(0).id(0, "SID")); }
 
   // What is held, moved and loaded.
 
@@ -422,7 +448,10 @@ class DynaReader : DeckWriter {
       DeckBoundary held{.selection = nodesNamed(card, 0), .components = "", .position = card.position()};
       static constexpr std::pair<char, const char*> components[] = {{'x', "DOFX"}, {'y', "DOFY"}, {'z', "DOFZ"}};
       for (std::size_t i = 0; i < std::size(components); ++i)
-        if (card.whole(2 + i, components[i].second) != 0) held.components += components[i].first;
+        if (const std::int64_t flag = card.whole(2 + i, components[i].second); flag == 1)
+          held.components += components[i].first;
+        else if (flag != 0)
+          card.fail(2 + i, components[i].second, "0 or 1");
       if (!held.components.empty()) boundaries_.push_back(held);
     });
   }
@@ -508,7 +537,7 @@ class DynaReader : DeckWriter {
   void addInitial(const std::string& selection, const Json& entry, std::size_t position) {
     if (!forRun()) return;
     later_.emplace_back([this, selection, entry, position] {
-      if (isOfOthers(selection)) return;
+      if (isOfOthers(selection, position)) return;
       begun_.resize(mesh().nodeCount(), 0);
       const auto take = [&](std::int32_t node) {
         std::size_t& by = begun_[static_cast<std::size_t>(node)];
@@ -543,6 +572,7 @@ class DynaReader : DeckWriter {
   /// The acceleration is that of the ground: the body's own is against it.
   void bodyLoad() {
     const DynaCard own = card(0);
+    once(bodyLoadAt_[static_cast<std::size_t>(keyword_.name.back() - 'X')], own);
     requireZero(own, 6, "CID", turnedAxes);
     Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();
     acceleration[keyword_.name.back() - 'X'] = -scaleOf(own, 1, "SF");
@@ -782,8 +812,8 @@ class DynaReader : DeckWriter {
     for (std::size_t i = 0; i < 3; ++i) factors.insert(own.real(2 + i, names[i]));
     if (factors != std::set<double>{0} && factors != std::set<double>{1})
       refuse(own.position(), "*DAMPING_GLOBAL, STX, STY, STZ: damping is the same along all axes here");
+    once(massDampingAt_, own);
     massDamping_ = own.real(1, "VALDMP");
-    massDampingAt_ = own.position();
   }
   void stiffnessDamping() {
     forEachCard([&](const DynaCard& card) {
@@ -792,7 +822,9 @@ class DynaReader : DeckWriter {
         refuse(card.position(), fmt::format("*DAMPING_PART_STIFFNESS, COEF = {}: a share of LS-DYNA's own measure; a "
                                             "time of Rayleigh damping, COEF < 0, is taken",
                                             card.field(1)));
-      stiffnessDamping_[card.id(0, "PID")] = -share;
+      const std::int64_t id = card.id(0, "PID");
+      refuseSecond(stiffnessDamping_, id, card);
+      stiffnessDamping_.insert_or_assign(id, PartDamping{-share, card.position()});
     });
   }
   void bulkViscosity() {
@@ -801,7 +833,7 @@ class DynaReader : DeckWriter {
       refuse(own.position(), fmt::format("*{}, TYPE = {}: 1 is taken", keyword_.name, type));
     if (const double q = own.real(0, "Q1"); q != 0) quadratic_ = q;
     if (const double q = own.real(1, "Q2"); q != 0) linear_ = q;
-    viscosityAt_ = own.position();
+    once(viscosityAt_, own);
   }
   void writeDamping() {
     for (const auto& [isQuadratic, value, position] : ofPart_)
@@ -824,16 +856,17 @@ class DynaReader : DeckWriter {
 
   void termination() {
     const DynaCard own = card(0);
+    once(endAt_, own);
     end_ = own.real(0, "ENDTIM");
-    endAt_ = own.position();
     if (!forRun()) return;
     requireZero(own, 1, "ENDCYC", "ends the run at a number of steps; ENDTIM ends it");
     requireZero(own, 3, "ENDENG", "may end the run by its energy");
   }
   void timestep() {
     const DynaCard own = card(0), second = card(1);
-    stepAt_ = own.position();
+    once(stepAt_, own);
     if (const double factor = own.real(1, "TSSFAC"); factor != 0) stepFactor_ = factor;
+    if (stepFactor_ < 0) own.fail(1, "TSSFAC", ">= 0; below it is the number of a curve, which is not followed");
     scaledStep_ = own.real(4, "DT2MS");
     if (scaledStep_ > 0)
       refuse(own.position(), fmt::format("*CONTROL_TIMESTEP, DT2MS = {}: gives every element the same step, also those "
@@ -913,10 +946,11 @@ class DynaReader : DeckWriter {
         }
       }
     if (!std::isfinite(least)) return;
-    note(fmt::format(
-        "{}: LS-DYNA's own step at rest is {:.6g} x {:.6g} = {:.6g} s, TSSFAC times the least crossing of an "
-        "element by a wave, of element {}; the proven one is that of the bracket",
-        where, stepFactor_, least, stepFactor_ * least, controlling));
+    const std::string crossing = fmt::format(
+        "{:.6g} x {:.6g} = {:.6g} s, TSSFAC times the least crossing of an element by a wave, of element {}",
+        stepFactor_, least, stepFactor_ * least, controlling);
+    if (added.empty())
+      note(fmt::format("{}: LS-DYNA's own step at rest is {}; the proven one is that of the bracket", where, crossing));
     if (scaledStep_ == 0) return;
     if (added.empty()) {
       note(fmt::format("{}: *CONTROL_TIMESTEP, DT2MS: adds no mass at rest, since no element's step is below {:.6g} s",
@@ -931,9 +965,9 @@ class DynaReader : DeckWriter {
     }
     note(
         fmt::format("{}: *CONTROL_TIMESTEP, DT2MS: LS-DYNA adds {:.6g} kg to {} of {} elements at rest, {:.3g} % of "
-                    "{:.6g} kg, and steps at {:.6g} s; the body here has this mass at their nodes, and none that "
-                    "LS-DYNA adds later",
-                    where, sum, scaled, count, 100 * sum / mass, mass, -stepFactor_ * scaledStep_));
+                    "{:.6g} kg, and steps at {:.6g} s; without that mass its step would be {}; the proven one is that "
+                    "of the bracket of the body with this mass at their nodes, and none that LS-DYNA adds later",
+                    where, sum, scaled, count, 100 * sum / mass, mass, -stepFactor_ * scaledStep_, crossing));
     for (const auto& [own, nodes] : alike) {
       keepApart("mass");
       addEntry("mass", fmt::format("#{}", fmt::join(nodes, ",")), {{"mass", own * static_cast<double>(nodes.size())}},
@@ -1025,7 +1059,7 @@ class DynaReader : DeckWriter {
           if (rule == "uniform-strain") hourglassOf(part, entry);
         }
         if (const auto damping = stiffnessDamping_.find(id); damping != stiffnessDamping_.end())
-          entry["stiffness_damping"] = damping->second;
+          entry["stiffness_damping"] = damping->second.time;
         if (forRun() && !material.law->why.empty() && noted_.insert(material.keyword).second)
           note(fmt::format("{}: *{} is {}: {}", lines_.where(material.position), material.keyword,
                            entry["model"].get<std::string>(), material.law->why));
@@ -1035,6 +1069,11 @@ class DynaReader : DeckWriter {
       origins.push_back(lines_.where(material.position));
     }
     writeMaterialList(std::move(list), origins, rules);
+    for (const auto& [id, damping] : stiffnessDamping_) requirePart(id, damping.position);
+  }
+  /// A part of other elements than solids is one too.
+  void requirePart(std::int64_t id, std::size_t position) const {
+    if (!parts_.contains(id)) lines_.failAt(position, fmt::format("there is no *PART {}", id));
   }
   /// For LS-DYNA's own step.
   void addSpeed(std::int64_t id, const Json& entry, const DynaMaterial& material) {
@@ -1106,7 +1145,11 @@ class DynaReader : DeckWriter {
   std::map<std::int64_t, DynaMaterial> materials_;
   std::map<std::int64_t, DynaCurve> curves_;
   std::map<std::int64_t, std::vector<Segment>> segments_;
-  std::map<std::int64_t, double> stiffnessDamping_;  // s, of parts
+  struct PartDamping {
+    double time;  // s
+    std::size_t position;
+  };
+  std::map<std::int64_t, PartDamping> stiffnessDamping_;  // of parts
   std::map<std::int64_t, DynaGuide> rigidParts_;
   std::vector<DynaRigidMotion> rigidMotions_;
   struct OfPart {
@@ -1123,11 +1166,13 @@ class DynaReader : DeckWriter {
   std::vector<std::function<void()>> later_;  // entries that need the mesh, and sets below
   std::vector<std::size_t> begun_;            // of each node: 1 + where its initial velocity stands; 0: none
   std::map<std::string, std::pair<std::int64_t, std::size_t>> structures_;  // keyword -> number, first position
+  std::set<std::int64_t> partSets_;                                         // of any parts
   std::vector<bool> ofSolids_;                                              // of each node, once asked for
   int walls_ = 0, others_ = 0;
   double massDamping_ = 0, quadratic_ = usualQuadratic, linear_ = usualLinear;
   double end_ = 0, stepFactor_ = usualStepFactor, scaledStep_ = 0;
-  std::optional<std::size_t> massDampingAt_, viscosityAt_, endAt_, stepAt_;
+  std::optional<std::size_t> massDampingAt_, viscosityAt_, hourglassAt_, endAt_, stepAt_;
+  std::array<std::optional<std::size_t>, 3> bodyLoadAt_;  // along x, y and z
   std::set<std::string> noted_, refusedKeywords_;
 };
 
@@ -1161,6 +1206,9 @@ const DynaReader::Handler DynaReader::handlers[] = {
     {"LOAD_BODY_Z", &DynaReader::bodyLoad},
     {"LOAD_SEGMENT", &DynaReader::segmentLoad},
     {"LOAD_SEGMENT_SET", &DynaReader::segmentLoad},
+    {"SET_PART", &DynaReader::partSet},
+    {"SET_PART_LIST", &DynaReader::partSet},
+    {"SET_PART_LIST_GENERATE", &DynaReader::partSet},
     {"SET_SEGMENT", &DynaReader::segmentSet},
     {"RIGIDWALL_PLANAR", &DynaReader::wall},
     {"CONTACT_AUTOMATIC_SINGLE_SURFACE", &DynaReader::contact},

@@ -4,6 +4,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 #include <unordered_map>
 #include <vector>
 
@@ -124,6 +125,7 @@ class Deck {
     std::vector<Range> ranges;
     std::size_t position;
     std::size_t distinct = 0;  // ranges that were left when repeated ones were last removed
+    bool unsorted = false;
 
     /// A number that follows the one before goes into its range.
     void add(std::int64_t id) {
@@ -193,9 +195,10 @@ class Deck {
         reading_ = Reading::elements;
       skipFormulation(inUpperCase(keyword_.value("TYPE")));
     } else if (name == "NSET" || name == "ELSET") {
-      if (keyword_.value(name).empty()) refuse("needs the name of the set, " + name + "=");
+      if (!keyword_.has(name)) refuse("needs the name of the set, " + name + "=");
       reading_ = name == "NSET" ? Reading::nodeSet : Reading::elementSet;
-      setOf(name == "NSET" ? part().nodeSets : part().elementSets, keyword_.value(name));
+      Set& set = setOf(name == "NSET" ? part().nodeSets : part().elementSets, keyword_.value(name));
+      set.unsorted = set.unsorted || keyword_.has("UNSORTED");
       if (name == "NSET" && keyword_.has("ELSET")) nodesOfElements();
     } else if (name == "PART") {
       const std::string part = inUpperCase(keyword_.value("NAME"));
@@ -212,10 +215,6 @@ class Deck {
       systemNumbers_.clear();
       reading_ = Reading::system;
     } else if (name == "NGEN" || name == "NFILL" || name == "ELGEN") {
-      for (const auto& [parameter, value] : keyword_.parameters)
-        if (parameter != (name == "ELGEN" ? "ELSET" : "NSET"))
-          refuse(joinText("with ", parameter, " is not supported; write the ", name == "ELGEN" ? "elements" : "nodes",
-                          " out"));
       reading_ = name == "NGEN" ? Reading::nodeLine : name == "NFILL" ? Reading::nodeFill : Reading::elementRows;
     } else if (name == "NCOPY" || name == "ELCOPY" || name == "NMAP") {
       refuse("makes or moves nodes or elements and is not supported; write them out with *NODE and *ELEMENT");
@@ -235,15 +234,21 @@ class Deck {
         {"PART", {"NAME"}},
         {"ASSEMBLY", {"NAME"}},
         {"INSTANCE", {"NAME", "PART"}},
-        {"SYSTEM", {"INPUT"}}};
+        {"SYSTEM", {"INPUT"}},
+        {"NGEN", {"NSET"}},
+        {"NFILL", {"NSET"}},
+        {"ELGEN", {"ELSET"}}};
     const auto own = known.find(keyword_.name);
     if (own == known.end()) return;
+    for (const char* const name : {"NSET", "ELSET", "INSTANCE", "INPUT"})
+      if (keyword_.has(name) && keyword_.value(name).empty())
+        lines_.failAt(keyword_.position, joinText("*", keyword_.name, ", ", name, ": needs a name, ", name, "="));
     for (const auto& entry : keyword_.parameters)
       if (std::find(own->second.begin(), own->second.end(), entry.first) == own->second.end()) {
         std::string list;
         for (const std::string_view name : own->second) list += joinText(list.empty() ? "" : ", ", name);
-        lines_.failAt(keyword_.position,
-                      joinText("*", keyword_.name, ", ", entry.first, " is not supported; ", list, " are"));
+        lines_.failAt(keyword_.position, joinText("*", keyword_.name, ", ", entry.first, " is not supported; ", list,
+                                                  own->second.size() == 1 ? " is" : " are"));
       }
   }
 
@@ -461,10 +466,15 @@ class Deck {
       lines_.failAt(position, joinText("*", keyword_.name, ": node ", id, " is not defined above"));
     return part().nodes[known->second].X;
   }
-  /// The numbers of a line; those that it does not have, or leaves empty, are 1.
-  std::vector<std::int64_t> wholeNumbers(const DeckLine& line, std::size_t first, std::size_t count) {
+  /// The numbers of a line from entry `first` on; those that it does not have, or leaves empty, are 1, but for the
+  /// `needed` first ones, which it must have.
+  std::vector<std::int64_t> wholeNumbers(const DeckLine& line, std::size_t first, std::size_t count,
+                                         std::size_t needed) {
     const auto words = DeckLines::fields(line.text);
     std::vector<std::int64_t> numbers(count, 1);
+    for (std::size_t i = first; i < first + needed; ++i)
+      if (i >= words.size() || words[i].empty())
+        lines_.failAt(line.position, joinText("*", keyword_.name, " has no entry ", i + 1, "; it must be there"));
     if (words.size() > first + count)
       lines_.failAt(line.position, joinText("*", keyword_.name, " has ", words.size(),
                                             " entries; it must have at most ", first + count));
@@ -491,7 +501,7 @@ class Deck {
     }
   }
   void nodeLine(const DeckLine& line) {
-    const auto n = wholeNumbers(line, 0, 3);
+    const auto n = wholeNumbers(line, 0, 3, 2);
     if (n[1] <= n[0] || (n[1] - n[0]) % n[2] != 0)
       lines_.failAt(line.position, joinText("*NGEN goes from ", n[0], " to ", n[1], " by ", n[2],
                                             "; the last number must be above the first by a multiple of that"));
@@ -507,19 +517,23 @@ class Deck {
       const auto set = side < words.size() ? part().nodeSets.find(inUpperCase(words[side])) : part().nodeSets.end();
       if (set == part().nodeSets.end())
         lines_.failAt(line.position, "*NFILL needs two node sets that are defined above");
+      if (set->second.unsorted)
+        lines_.failAt(line.position, joinText("*NFILL: ", set->second.name,
+                                              " is UNSORTED, and its nodes would be taken "
+                                              "in the order of their numbers; write the nodes out"));
       forEachMember(set->second, known, [&](std::int64_t id) { ends[side].push_back(id); });
       sortUnique(ends[side]);
     }
     if (ends[0].size() != ends[1].size())
       lines_.failAt(line.position, joinText("*NFILL is between sets of ", ends[0].size(), " and ", ends[1].size(),
                                             " nodes; they must be equally many"));
-    const auto n = wholeNumbers(line, 2, 2);
+    const auto n = wholeNumbers(line, 2, 2, 1);
     for (std::size_t i = 0; i < ends[0].size(); ++i) nodesBetween(ends[0][i], ends[1][i], n[1], n[0], line.position);
   }
   /// Rows and layers of elements like one above: how many of each, and what is added to the numbers of nodes and
   /// elements.
   void elementRows(const DeckLine& line) {
-    const auto n = wholeNumbers(line, 0, 10);
+    const auto n = wholeNumbers(line, 0, 10, 1);
     const auto master = part().elementOfId.find(n[0]);
     if (master == part().elementOfId.end())
       lines_.failAt(line.position, joinText("*ELGEN: element ", n[0], " is not defined above"));
@@ -587,7 +601,8 @@ class Deck {
       lines_.failAt(open_.back().position, joinText("*", open_.back().name, " is never ended by *END ",
                                                     open_.back().name, "; is the file cut short?"));
     const std::string& name = keyword_.name;
-    if (name != "NODE" && name != "ELEMENT" && name != "NSET" && name != "ELSET") return;
+    static const std::set<std::string_view> withLines{"NODE", "ELEMENT", "NSET", "ELSET", "NGEN", "NFILL", "ELGEN"};
+    if (!withLines.contains(name)) return;
     const bool fromElements = name == "NSET" && keyword_.has("ELSET");  // has no lines of its own
     if (!hasData_ && !fromElements)
       lines_.failAt(keyword_.position, joinText("the file ends after the line of *", name, "; is it cut short?"));

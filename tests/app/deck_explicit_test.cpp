@@ -274,6 +274,7 @@ TEST_F(ExplicitDecks, ScaleMasses) {
   expectSame(deck("*Fixed Mass Scaling, factor=4.\n*Fixed Mass Scaling, elset=Bar-1.Second, factor=2.\n"),
              scene("31400", "15700"));
   EXPECT_NEAR(mass_, 4 * 7.85 + 2 * 7.85, 1e-12);
+  expectSame(deck("*Fixed Mass Scaling, factor=4.\n*Fixed Mass Scaling, elset=Second\n"), scene("31400", "7850"));
   for (const std::string keyword : {"*Fixed Mass Scaling, dt=5e-5, type=BELOW MIN\n",
                                     "*Variable Mass Scaling, dt=5e-5, type=below min, frequency=10\n"}) {
     expectSame(deck(keyword), scene("7850", "7850", "[handler]\nmethod = \"mass-scaling\"\nstep = 5e-5\n"));
@@ -295,6 +296,9 @@ TEST_F(ExplicitDecks, ScaleMasses) {
     refuse(deck("*Fixed Mass Scaling, dt=5e-5, elset=First\n"), "DT and ELSET: mass is added for the step of the whole",
            command);
     refuse(deck("*Variable Mass Scaling, dt=5e-5, element layers=2\n"), "ELEMENTLAYERS=2 is not taken", command);
+    refuse(deck("*Variable Mass Scaling, frequency=2\n"), "*VARIABLE MASS SCALING needs DT=", command);
+    refuse(deck("*Fixed Mass Scaling, dt=5e-5\n*Fixed Mass Scaling, dt=6e-5\n"),
+           "*FIXED MASS SCALING gives a second time what line 52 gives", command);
   }
 }
 
@@ -396,7 +400,7 @@ TEST_F(ExplicitDecks, LetSurfacesTouch) {
     refused("*CONTACT PAIR, INTERACTION=Int\nOver, Nowhere\n", "*CONTACT PAIR: there is no *SURFACE \"NOWHERE\"");
     refused("*CONTACT PAIR, INTERACTION=Int, ADJUST=0.1\nOver, Under\n", "ADJUST=0.1: moves nodes before the start");
     refused("*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n1e9\n", "PRESSURE-OVERCLOSURE=LINEAR: its pressure goes");
-    refused("*FRICTION\n0.1, 2.\n", "*FRICTION has more than one number");
+    refused("*SURFACE INTERACTION, NAME=j\n*FRICTION\n0.1, 2.\n", "*FRICTION has more than one number");
     refused("*CONTACT INCLUSIONS, ALL EXTERIOR\n*CONTACT PAIR, INTERACTION=Int\nOver, Under\n",
             "contact beside that of all surfaces, which has it already");
     refused("*CONTACT\n*CONTACT INCLUSIONS\nOver, Under\n", "*CONTACT INCLUSIONS: ALL EXTERIOR is taken");

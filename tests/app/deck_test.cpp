@@ -258,6 +258,15 @@ TEST_F(Decks, RefuseWhatWouldChangeTheTangent) {
   refuseAll("*NONSTRUCTURAL MASS, UNITS=TOTAL MASS\n", "deck.inp:31: *NONSTRUCTURAL MASS: adds mass");
   refuseAll("*MODEL CHANGE, REMOVE\nEall\n", "deck.inp:31: *MODEL CHANGE: takes elements out");
   refuseAll("*BOUNDARY, OP=NEW\nright, 1\n", "deck.inp:31: *BOUNDARY, OP=NEW: lets go of what is held above");
+  refuseAll("*BOUNDARY, OP=OLD\nright, 1\n", "deck.inp:31: *BOUNDARY, OP=OLD is not taken; AMPLITUDE, TYPE=DISPLA");
+  refuseAll("*BOUNDARY\nright, 1, 1, 0., 7\n", "deck.inp:32: *BOUNDARY: a line has 5 entries; it must have at most 4");
+  refuseAll("*BULK VISCOSITY\n0.06, 1.2, 7.\n", "deck.inp:32: *BULK VISCOSITY: a line has 3 entries");
+  refuseAll("*SURFACE\nEall, S1\n", "deck.inp:31: *SURFACE needs a name, NAME=");
+  refuseAll("*SURFACE INTERACTION\n", "deck.inp:31: *SURFACE INTERACTION needs a name, NAME=");
+  refuseAll("*SURFACE INTERACTION, NAME=i\n*FRICTION\n0.2\n*FRICTION\n0.3\n",
+            "deck.inp:34: *FRICTION gives a second time what line 32 gives");
+  refuseAll("*CONTACT\n*CONTACT INCLUSIONS, ALL EXTERIOR\n*CONTACT PROPERTY ASSIGNMENT\n, , i\n, , j\n",
+            "deck.inp:35: *CONTACT PROPERTY ASSIGNMENT: a second line of all surfaces; they have one interaction");
   refuseAll("*BOUNDARY, LOAD CASE=2\nright, 1\n", "deck.inp:31: *BOUNDARY, LOADCASE=2: is of complex values");
   refuseAll("*BOUNDARY, ODD\nright, 1\n", "deck.inp:31: *BOUNDARY, ODD is not taken; AMPLITUDE, TYPE=DISPLACEMENT");
   refuseAll("*MATERIAL, NAME=other\n*DAMPING, STRUCTURAL=0.1\n", "*DAMPING, STRUCTURAL=0.1: is of a vibration");

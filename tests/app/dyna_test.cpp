@@ -267,7 +267,8 @@ std::vector<Case> cases() {
          "     8       5\n*ELEMENT_BEAM\n     403       9       1       4\n*SECTION_SHELL\n         9\n*NODE\n      31 "
          "            0.5\n*ELEMENT_SHELL\n     404       9      "
          " 2       3      31      31\n" +
-             keyword("BOUNDARY_SPC_NODE", card(31, 0, 1, 1, 1)) + keyword("INITIAL_VELOCITY_NODE", card(31, 1.0)) +
+             part(9, 9, 1) + keyword("BOUNDARY_SPC_NODE", card(31, 0, 1, 1, 1)) +
+             keyword("INITIAL_VELOCITY_NODE", card(31, 1.0)) +
              keyword("INITIAL_VELOCITY_GENERATION", card(9, 2, 0, 1.0), card(0))}}});
   // Damping of stiffness of a part, numbers of ten columns, nodes that *NODE holds, and one that moves.
   all.push_back(
@@ -427,6 +428,13 @@ TEST_F(DynaDecks, LetSurfacesTouch) {
   refused("CONTACT_SURFACE_TO_SURFACE", card(1, 3, 3, 4) + card(0), "MSID is a set of nodes, which has no faces");
   refused("CONTACT_SURFACE_TO_SURFACE", card(1, 0, 3, 5) + card(0), "a side is the whole body");
   refused("CONTACT_SURFACE_TO_SURFACE", card(1, 2, 3, 3) + card(0, 0, 0, 0, 0, 0, 0.5), "BT = 0.5: begins within the");
+  // All nodes, by a card of blanks.
+  expectSame("deck.k", deck + keyword("RIGIDWALL_PLANAR", "\n" + card(0, 0, -0.1, 0, 0, 1)) + ending,
+             scene +
+                 "[[obstacle]]\nname = \"floor\"\nkind = \"plane\"\npoint = [0, 0, -0.1]\nnormal = [0, 0, "
+                 "1.1]\n[[contact]]\nobstacle = \"floor\"\n",
+             integrator(0.05));
+  refused("RIGIDWALL_PLANAR", "\n", "field 4 of *RIGIDWALL_PLANAR, XH, is blank");
   refused("RIGIDWALL_PLANAR", card(0) + card(0, 0, 0, 0, 0, 1, 1.0), "field 7 of *RIGIDWALL_PLANAR, FRIC, is \"1\"");
   refused("CONTACT_TIED_NODES_TO_SURFACE", card(1), "of contact AUTOMATIC_SINGLE_SURFACE, SURFACE_TO_SURFACE");
 }
@@ -457,11 +465,16 @@ TEST_F(DynaDecks, TellTheStepAndTheMassOfLsDyna) {
   EXPECT_NEAR(plain["mass"].get<double>(), 15.7, 1e-12);
   folder_.write("deck.k", block(keyword("CONTROL_TIMESTEP", card(0, 0.67, 0, 0, -3e-5))));
   const double factor = std::pow(3e-5 / step, 2);
+  std::string out;
   for (const std::string command : {"inspect deck.k", "run deck.k --out d --set output.picture=false"})
-    EXPECT_THAT(call(command).out,
+    EXPECT_THAT(out = call(command).out,
                 HasSubstr(fmt::format("LS-DYNA adds {:.6g} kg to 2 of 2 elements at rest, {:.3g} % of 15.7 kg, and "
                                       "steps at 2.01e-05 s",
                                       15.7 * (factor - 1), 100 * (factor - 1))));
+  // One step is told of LS-DYNA, and what it would be without the mass.
+  EXPECT_THAT(
+      out, HasSubstr(fmt::format("; without that mass its step would be 0.67 x {:.6g} = {:.6g} s", step, 0.67 * step)));
+  EXPECT_THAT(out, ::testing::Not(HasSubstr("LS-DYNA's own step at rest")));
   const Json scaled = parse(call("inspect deck.k --json - --global").out);
   EXPECT_NEAR(scaled["mass"].get<double>(), 15.7 * factor, 1e-12 * 15.7 * factor);
   EXPECT_NEAR(json("d/summary.json")["mass"].get<double>(), 15.7 * factor, 1e-12 * 15.7 * factor);
@@ -492,6 +505,24 @@ TEST_F(DynaDecks, RefuseWhatWouldChangeTheMotion) {
   refuseAlways(block("*INITIAL_STRESS_SOLID\n"), "*INITIAL_STRESS_SOLID: changes the tangent");
   refuseAlways(block("*SET_NODE_GENERAL\n"), "*SET_NODE_GENERAL: makes or changes nodes");
   refuseAlways(block(keyword("DAMPING_PART_STIFFNESS", card(1, 0.1))), "COEF = 0.1: a share of LS-DYNA's own measure");
+  refuseAlways(block(keyword("DAMPING_PART_STIFFNESS", card(1, -1e-6), card(7, -1e-6))),
+               "deck.k:43: there is no *PART 7");
+  refuseAlways(block(keyword("DAMPING_PART_STIFFNESS", card(1, -1e-6), card(1, -1e-6))),
+               "deck.k:43: *DAMPING_PART_STIFFNESS 1 gives a second time what line 42 gives");
+  for (const std::string name :
+       {"CONTROL_TERMINATION", "CONTROL_TIMESTEP", "CONTROL_BULK_VISCOSITY", "CONTROL_HOURGLASS", "DAMPING_GLOBAL"})
+    refuseAlways(block(keyword(name, card(0)) + keyword(name, card(0))),
+                 fmt::format("*{} gives a second time what line {} gives; leave one out", name,
+                             name == "CONTROL_TERMINATION" ? 6 : 42));
+  refuse(block("*ELEMENT_SHELL\n     900       2       9      10      11      12\n" +
+               keyword("INITIAL_VELOCITY_GENERATION", card(7, 2, 0, 1.0), card(0))),
+         "there is no *PART 7");
+  refuseAlways(block(keyword("BOUNDARY_SPC_SET", card(1, 0, 2))),
+               "field 3 of *BOUNDARY_SPC_SET, DOFX, is \"2\"; it must be 0 or 1");
+  refuseAlways(block(keyword("CONTROL_HOURGLASS", card(99))), "IHQ, is \"99\"; it must be 0 to 10");
+  refuseAlways(block(keyword("CONTROL_TIMESTEP", card(0, -3))), "field 2 of *CONTROL_TIMESTEP, TSSFAC, is \"-3\"");
+  refuse(block(keyword("LOAD_BODY_Z", card(1)) + keyword("LOAD_BODY_Z", card(1))),
+         "*LOAD_BODY_Z gives a second time what line 42 gives");
   refuseAlways(block(keyword("BOUNDARY_SPC_SET", card(1, 3, 1))), "*BOUNDARY_SPC_SET, CID = 3: turns the axes");
   refuseAlways(block("", 18), "*SECTION_SOLID 1, ELFORM = 18: there is no such element");
   refuseAlways(block("", 3), "*SECTION_SOLID 1, ELFORM = 3: its nodes turn, and ours do not");
