@@ -110,8 +110,7 @@ Subject subjectIn(Scene scene, Body body, NodeVectors x, std::string state, Json
   const IntegratorInfo& integrator = *integratorCatalog().find(scene.method);
   Subject subject{std::move(scene), std::move(body),  std::move(x),         {integrator.imaginaryLimit},
                   &integrator,      std::move(state), std::move(stateJson), std::move(notes)};
-  subject.referTo(ownStepTolerance,
-                  [&](const StepRule& rule) { return criticalStep(subject.body, subject.x, rule).safe; });
+  subject.referTo(ownStepTolerance, stepOfTopMode(subject.body, subject.x));
   return subject;
 }
 

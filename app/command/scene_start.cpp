@@ -14,7 +14,6 @@
 #include <ringwatch/base/user_text.h>
 #include <ringwatch/body/discrete_forces.h>
 #include <ringwatch/integrators/body_system.h>
-#include <ringwatch/monitor/critical_step.h>
 
 namespace ringwatch {
 
@@ -43,7 +42,7 @@ SceneStart startOf(const std::filesystem::path& file, const std::vector<std::str
   body.followDampingRates(state.x, state.v);
   const ReferencedRule own =
       ruleAtOwnStep(scene, body, state.v.isZero(0) ? DampingRates::atRest : DampingRates::followed, ownStepTolerance,
-                    [&](const StepRule& rule) { return criticalStep(body, state.x, rule).safe; });
+                    stepOfTopMode(body, state.x));
   for (std::vector<std::string>& more :
        std::array{bodyNotes(body), notesOfBracket(scene, body), notesOfLaterChanges(scene)})
     notes.insert(notes.end(), more.begin(), more.end());

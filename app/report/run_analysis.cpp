@@ -283,11 +283,10 @@ RunAnalysis analyseRun(const std::filesystem::path& folder, const std::filesyste
   const IntegratorInfo* integrator = integratorCatalog().find(scene.method);
   if (!hasLimit(integrator)) return withoutLimit(scene, body.mesh().elementCount());
   // What elements say of the step is tight at the step that the state has, as in inspect.
-  const StepRule rule = body.mesh().elementCount() <= bracketedElements
-                            ? ruleAtOwnStep(scene, body, DampingRates::atRest, ownStepTolerance,
-                                            [&](const StepRule& own) { return criticalStep(body, state.x, own).safe; })
-                                  .rule
-                            : sceneStepRule(scene, body);
+  const StepRule rule =
+      body.mesh().elementCount() <= bracketedElements
+          ? ruleAtOwnStep(scene, body, DampingRates::atRest, ownStepTolerance, stepOfTopMode(body, state.x)).rule
+          : sceneStepRule(scene, body);
   // With a handler the run's bracket is that of the elements that it left explicit; in other modes there is half of
   // one.
   if (!scene.handler.empty() || !safe || !optimistic) {

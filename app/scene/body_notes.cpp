@@ -10,6 +10,7 @@
 
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/body/discrete_forces.h>
+#include <ringwatch/body/element_damping.h>
 
 namespace ringwatch {
 namespace {
@@ -30,12 +31,18 @@ int modesWithoutStiffness(const Body& body, ElementRef element) {
   return std::max(0, static_cast<int>((lambda.cwiseAbs().array() < rounding * largest).count()) - rigidModes);
 }
 
+/// Whether viscous hourglass control damps the modes that have no stiffness.
+bool resistsByViscosity(const Body& body, std::size_t block) {
+  const ElementDamping* damping = body.elementDamping();
+  return damping && damping->blocks()[block] && damping->blocks()[block]->constants().hourglassViscosity > 0;
+}
+
 void addModes(const Body& body, std::vector<std::string>& notes) {
   std::set<std::pair<std::string_view, std::string_view>> seen;
   for (std::size_t b = 0; b < body.blocks().size(); ++b) {
     if (body.mesh().blocks[b].elementCount() == 0) continue;
     const ElementBlock& block = *body.blocks()[b];
-    if (!seen.emplace(block.element().name, block.rule().name).second) continue;
+    if (resistsByViscosity(body, b) || !seen.emplace(block.element().name, block.rule().name).second) continue;
     const int modes = modesWithoutStiffness(body, {static_cast<std::int32_t>(b), 0});
     if (modes == 0) continue;
     notes.push_back(fmt::format(

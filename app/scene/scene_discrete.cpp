@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <memory>
 #include <numbers>
 #include <numeric>
 
@@ -16,13 +17,14 @@
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/base/nearest_name.h>
+#include <ringwatch/base/random.h>
 #include <ringwatch/base/sort_unique.h>
 #include <ringwatch/base/user_text.h>
 #include <ringwatch/body/discrete_forces.h>
 #include <ringwatch/meshes/adjacency.h>
 #include <ringwatch/meshes/surface.h>
 #include <ringwatch/monitor/bounds/nodal_bound.h>
-#include <ringwatch/monitor/critical_step.h>
+#include <ringwatch/monitor/bounds/rayleigh.h>
 
 namespace ringwatch {
 namespace {
@@ -841,6 +843,19 @@ double correctedReference(const Scene& scene, Body& body, DampingRates rates, do
 
 }  // namespace
 
+StepByRule stepOfTopMode(const Body& body, const NodeVectors& x) {
+  const auto mode = std::make_shared<NodeVectors>(3, body.nodeCount());
+  for (Eigen::Index i = 0; i < mode->size(); ++i) mode->data()[i] = randomEntry(1, static_cast<std::uint64_t>(i));
+  return [&body, &x, mode, seen = 0.0](const StepRule& rule) mutable {
+    // The first search starts from a random direction.
+    constexpr int firstProducts = 60, products = 15;
+    const LowerBound lower = rayleighLowerBound(body, x, *mode, seen == 0 ? firstProducts : products, &seen);
+    // Brackets from scratch are about so wide, and the rule is to be exact at the safe side.
+    constexpr double width = 0.01;
+    return (1 - width) * optimisticStep(lower, rule);
+  };
+}
+
 StepRule stepRuleAt(const Scene& scene, Body& body, double h, DampingRates rates) {
   const IntegratorInfo& info = *integratorCatalog().find(scene.method);
   if (!countsDamping(body)) return stepRule(info, scene.damping);
@@ -853,8 +868,8 @@ StepRule sceneStepRule(const Scene& scene, Body& body) {
   const StepRule rule = stepRule(*integratorCatalog().find(scene.method), scene.damping);
   if (!countsDamping(body)) return rule;
   if (scene.step) return stepRuleAt(scene, body, *scene.step, DampingRates::followed);
-  const StepByRule share = [&](const StepRule& own) {
-    return scene.safety * criticalStep(body, body.mesh().X, own).safe;
+  const StepByRule share = [&scene, step = stepOfTopMode(body, body.mesh().X)](const StepRule& own) {
+    return scene.safety * step(own);
   };
   countDamping(body, 0);
   // The bracket is tight at the reference: where every element damps, the step is shorter than without.

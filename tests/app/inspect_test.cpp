@@ -150,6 +150,11 @@ TEST_F(Program, InspectAndRunTellOfModesWithoutStiffness) {
   ASSERT_EQ(call("run scene.toml --out r --set output.picture=false --set material.hourglass_stiffness=0.05").status,
             0);
   EXPECT_EQ(json("r/summary.json")["notes"].dump().find("without stiffness"), std::string::npos);
+  // Viscous control resists them.
+  for (const std::string command :
+       {"run scene.toml --out r --set output.picture=false", "suggest scene.toml --frame 1"})
+    EXPECT_THAT(call(command + " --set material.hourglass_viscosity=0.1").out,
+                ::testing::Not(HasSubstr("without stiffness")));
 }
 
 // The speed of pressure waves is √(E (1 - ν) / ((1 + ν) (1 - 2ν) ρ)): 6001 m/s in steel.
