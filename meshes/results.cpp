@@ -6,13 +6,13 @@
 #include <memory>
 #include <set>
 #include <string>
-#include <unordered_map>
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/sort_unique.h>
 #include <ringwatch/meshes/formats/file_cursor.h>
 #include <ringwatch/meshes/formats/mesh_readers.h>
 #include <ringwatch/meshes/mesh_io.h>
+#include <ringwatch/meshes/number_index.h>
 
 namespace ringwatch {
 namespace {
@@ -143,12 +143,11 @@ void ResultSeries::openFrd(const fs::path& file, const std::string& displacement
   for (const detail::FrdState& state : *states)
     entries_.push_back(
         {state.time, state.increment, joinText(file.string(), ": step ", state.step, ", increment ", state.increment)});
-  const auto nodeOf = std::make_shared<std::unordered_map<std::int64_t, std::int32_t>>();
-  for (std::int32_t i = 0; i < static_cast<std::int32_t>(mesh_.nodeCount()); ++i) nodeOf->emplace(mesh_.nodeId(i), i);
-  positions_ = [this, file, text, states, nodeOf](std::size_t i) {
+  const auto numbers = std::make_shared<NumberIndex>(mesh_);
+  positions_ = [this, file, text, states, numbers](std::size_t i) {
     NodeVectors x = mesh_.X;
     for (const auto& [id, u] : detail::frdVectors(file, *text, (*states)[i]))
-      if (const auto found = nodeOf->find(id); found != nodeOf->end()) x.col(found->second) += u;
+      if (const auto node = numbers->node(id)) x.col(*node) += u;
     return x;
   };
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
 
 #include <fmt/format.h>
 
@@ -17,6 +16,7 @@
 #include <ringwatch/base/markup.h>
 #include <ringwatch/base/user_text.h>
 #include <ringwatch/meshes/check.h>
+#include <ringwatch/meshes/number_index.h>
 #include <ringwatch/meshes/results.h>
 #include <ringwatch/monitor/critical_step.h>
 #include <ringwatch/monitor/event.h>
@@ -102,11 +102,9 @@ std::vector<std::int32_t> sameNodes(const Mesh& body, const Mesh& results, const
   std::vector<std::int32_t> same(body.nodeCount(), -1);
   std::size_t found = 0;
   if (!results.nodeIds.empty() && !body.nodeIds.empty()) {
-    std::unordered_map<std::int64_t, std::int32_t> nodeOf;
-    for (std::size_t i = 0; i < results.nodeCount(); ++i)
-      nodeOf.emplace(results.nodeIds[i], static_cast<std::int32_t>(i));
+    NumberIndex index(results);
     for (std::size_t i = 0; i < same.size(); ++i)
-      if (const auto node = nodeOf.find(body.nodeIds[i]); node != nodeOf.end()) same[i] = node->second, ++found;
+      if (const auto node = index.node(body.nodeIds[i])) same[i] = *node, ++found;
   } else if (body.nodeCount() == results.nodeCount()) {
     for (std::size_t i = 0; i < same.size(); ++i) same[i] = static_cast<std::int32_t>(i);
     found = same.size();
@@ -180,7 +178,7 @@ AuditedState audited(const Body* body, const NodeVectors& x, const StepRule& rul
 /// The audited body without the elements that the other program has deleted; their masses stay at their nodes.
 class StandingBody {
  public:
-  explicit StandingBody(const Body& whole) : whole_(whole) {}
+  explicit StandingBody(const Body& whole) : whole_(whole), numbers_(whole.mesh()) {}
 
   /// deleted: elements of the results, which the body has by the same numbers or, without a scene, in the same places.
   /// nullptr where no element is left.
@@ -215,14 +213,13 @@ class StandingBody {
   }
 
  private:
-  ElementRef numbered(std::int64_t id, const std::string& where) const {
-    for (std::size_t b = 0; b < whole_.mesh().blocks.size(); ++b)
-      for (std::size_t e = 0; e < whole_.mesh().blocks[b].elementCount(); ++e)
-        if (whole_.mesh().blocks[b].id(e) == id) return {b, e};
+  ElementRef numbered(std::int64_t id, const std::string& where) {
+    if (const auto element = numbers_.element(id)) return *element;
     throw InputError(fmt::format("{}: element {} is deleted, which the scene's mesh does not have", where, id));
   }
 
   const Body& whole_;
+  NumberIndex numbers_;
   std::vector<std::vector<bool>> deleted_, stays_;
   std::optional<Body> left_;
   std::size_t count_ = 0;

@@ -886,7 +886,7 @@ class DeckReader : DeckWriter {
     const std::string given = nameIn(&Mesh::elementSets, word, position);
     if (isNumber(given)) {
       const std::int64_t number = lines_.number(given, "the element", position);
-      if (const auto element = elementWithNumber(number)) return {*element};
+      if (const auto element = numbers().element(number)) return {*element};
       lines_.failAt(position, fmt::format("*{}: the mesh has no element {}", keyword_.name, number));
     }
     if (const auto set = mesh().elementSets.find(given); set != mesh().elementSets.end()) return set->second;

@@ -82,22 +82,14 @@ const Mesh& DeckWriter::mesh() {
 std::vector<std::int32_t> DeckWriter::nodesOf(const std::string& selection) {
   if (const auto set = mesh().nodeSets.find(selection); set != mesh().nodeSets.end()) return set->second;
   if (selection.starts_with('#')) {
-    if (nodeOfNumber_.empty())
-      for (std::int32_t node = 0; node < static_cast<std::int32_t>(mesh().nodeCount()); ++node)
-        nodeOfNumber_.try_emplace(mesh().nodeId(node), node);
-    if (const auto node = nodeOfNumber_.find(std::stoll(selection.substr(1))); node != nodeOfNumber_.end())
-      return {node->second};
+    if (const auto node = numbers().node(std::stoll(selection.substr(1)))) return {*node};
   }
   return {};
 }
 
-std::optional<ElementRef> DeckWriter::elementWithNumber(std::int64_t number) {
-  if (elementOfNumber_.empty())
-    for (std::int32_t b = 0; b < static_cast<std::int32_t>(mesh().blocks.size()); ++b)
-      for (std::int32_t e = 0; e < static_cast<std::int32_t>(mesh().blocks[b].elementCount()); ++e)
-        elementOfNumber_.try_emplace(mesh().blocks[b].id(e), ElementRef{b, e});
-  const auto element = elementOfNumber_.find(number);
-  return element == elementOfNumber_.end() ? std::nullopt : std::optional(element->second);
+NumberIndex& DeckWriter::numbers() {
+  if (!numbers_) numbers_.emplace(mesh());
+  return *numbers_;
 }
 
 const DeckFaces& DeckWriter::faces() {

@@ -6,13 +6,13 @@
 #include <set>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
 #include <ringwatch/app/scene/deck_faces.h>
 #include <ringwatch/app/scene/deck_keywords.h>
 #include <ringwatch/app/scene/deck_scene.h>
 #include <ringwatch/meshes/formats/deck_lines.h>
+#include <ringwatch/meshes/number_index.h>
 
 namespace ringwatch {
 
@@ -70,10 +70,10 @@ class DeckWriter {
               std::size_t position);
 
   const Mesh& mesh();
+  /// Of that mesh.
+  NumberIndex& numbers();
   /// The nodes of a selection: a set, or "#" and a number. Empty for one that is not there, which the scene refuses.
   std::vector<std::int32_t> nodesOf(const std::string& selection);
-  /// The element with a number of the file; empty for none.
-  std::optional<ElementRef> elementWithNumber(std::int64_t number);
   const DeckFaces& faces();
 
   /// A pressure (Pa, inwards) on faces, each a face of faces(), of a line below the keyword at `position`.
@@ -124,8 +124,7 @@ class DeckWriter {
   std::vector<Pressure> pressures_;
   std::set<std::int32_t> pressed_;
   std::optional<Mesh> mesh_;
-  std::unordered_map<std::int64_t, std::int32_t> nodeOfNumber_;   // of the mesh, once asked for
-  std::unordered_map<std::int64_t, ElementRef> elementOfNumber_;  // the same
+  std::optional<NumberIndex> numbers_;
   std::optional<DeckFaces> faces_;
   std::map<std::string, Last> last_;  // entries of the sections
   bool contactIsTold_ = false;

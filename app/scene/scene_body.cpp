@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <charconv>
 #include <map>
-#include <unordered_map>
 
 #include <fmt/format.h>
 
@@ -21,6 +20,7 @@
 #include <ringwatch/meshes/formats/mesh_readers.h>
 #include <ringwatch/meshes/mesh_io.h>
 #include <ringwatch/meshes/node_order.h>
+#include <ringwatch/meshes/number_index.h>
 
 namespace ringwatch {
 namespace {
@@ -108,10 +108,9 @@ std::vector<std::int32_t> NodeSelection::nodesIn(const Mesh& part) const {
         if (std::ranges::find(wanted, part.nodeId(i)) != wanted.end()) nodes.push_back(i);
       return nodes;
     }
-    std::unordered_map<std::int64_t, std::int32_t> nodeOf;
-    for (std::int32_t i = 0; i < static_cast<std::int32_t>(part.nodeCount()); ++i) nodeOf.emplace(part.nodeId(i), i);
+    NumberIndex index(part);
     for (const std::int64_t number : wanted)
-      if (const auto found = nodeOf.find(number); found != nodeOf.end()) nodes.push_back(found->second);
+      if (const auto node = index.node(number)) nodes.push_back(*node);
     sortUnique(nodes);
     return nodes;
   }

@@ -2,14 +2,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
-#include <ringwatch/base/error.h>
-#include <ringwatch/meshes/mesh_io.h>
 #include <ringwatch/meshes/quality.h>
+
+#include "deck_file.h"
 
 namespace ringwatch {
 namespace {
@@ -18,25 +16,9 @@ using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-class DynaMeshes : public ::testing::Test {
+class DynaMeshes : public test::DeckFile {
  public:
-  std::filesystem::path path =
-      std::filesystem::path(::testing::TempDir()) /
-      (std::string("dyna-") + ::testing::UnitTest::GetInstance()->current_test_info()->name() + ".k");
-  std::vector<std::string> notes;
-  Mesh read(const std::string& deck) {
-    std::ofstream(path) << deck;
-    return loadMesh(path, &notes);
-  }
-  std::string error(const std::string& deck) {
-    try {
-      read(deck);
-    } catch (const InputError& e) {
-      return e.what();
-    }
-    return "no error";
-  }
-  void TearDown() override { std::filesystem::remove(path); }
+  DynaMeshes() : DeckFile("deck.k") {}
 
   static constexpr const char* tetrahedron = R"($# a comment
 *KEYWORD

@@ -11,31 +11,17 @@
 #include <ringwatch/meshes/mesh_io.h>
 #include <ringwatch/meshes/quality.h>
 
+#include "deck_file.h"
+
 namespace ringwatch {
 namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-class InpTest : public ::testing::Test {
+class InpTest : public test::DeckFile {
  public:
-  std::filesystem::path path =
-      std::filesystem::path(::testing::TempDir()) /
-      (std::string("deck-") + ::testing::UnitTest::GetInstance()->current_test_info()->name() + ".inp");
-  std::vector<std::string> notes;
-  Mesh read(const std::string& deck) {
-    std::ofstream(path) << deck;
-    return loadMesh(path, &notes);
-  }
-  std::string error(const std::string& deck) {
-    try {
-      read(deck);
-    } catch (const InputError& e) {
-      return e.what();
-    }
-    return "no error";
-  }
-  void TearDown() override { std::filesystem::remove(path); }
+  InpTest() : DeckFile("deck.inp") {}
 
   // A cube of hexahedron and, beside it, two wedges; x up to 2.
   static constexpr const char* nodes = R"(** a comment
@@ -298,7 +284,17 @@ below, above, 2, 5000
 
   EXPECT_THAT(error(deck("*NGEN\n1, 99\n")), HasSubstr(":30: *NGEN: node 99 is not defined above"));
   EXPECT_THAT(error(deck("*NGEN\n1, 4, 2\n")), HasSubstr(":30: *NGEN goes from 1 to 4 by 2"));
-  EXPECT_THAT(error(deck("*NGEN, LINE=C\n1, 4\n")), HasSubstr(":29: *NGEN with LINE is not supported"));
+  EXPECT_THAT(error(deck("*NGEN, LINE=C\n1, 4\n")), HasSubstr(":29: *NGEN, LINE is not supported; NSET is"));
+  EXPECT_THAT(error(deck("*NGEN, NSET\n1, 4\n")), HasSubstr(":29: *NGEN, NSET: needs a name, NSET="));
+  EXPECT_THAT(error(deck("*ELEMENT, TYPE=C3D6, ELSET=\n")), HasSubstr(":29: *ELEMENT, ELSET: needs a name, ELSET="));
+  EXPECT_THAT(error(deck("*ELGEN, NSET=a\n10, 2\n")), HasSubstr(":29: *ELGEN, NSET is not supported; ELSET is"));
+  EXPECT_THAT(error(deck("*NGEN\n, 4\n")), HasSubstr(":30: *NGEN has no entry 1; it must be there"));
+  EXPECT_THAT(error(deck("*NGEN\n")), HasSubstr(":29: the file ends after the line of *NGEN"));
+  EXPECT_THAT(error(deck("*ELGEN\n, 4\n")), HasSubstr(":30: *ELGEN has no entry 1"));
+  EXPECT_THAT(error(deck("*NSET, NSET=a\n1\n*NSET, NSET=b\n3\n*NFILL\na, b\n")),
+              HasSubstr(":34: *NFILL has no entry 3"));
+  EXPECT_THAT(error(deck("*NSET, NSET=a, UNSORTED\n4, 1\n*NSET, NSET=b\n5, 8\n*NFILL\na, b, 2, 100\n")),
+              HasSubstr(":34: *NFILL: a is UNSORTED"));
   EXPECT_THAT(error(deck("*NSET, NSET=a\n1, 2\n*NSET, NSET=b\n3\n*NFILL\na, b, 2, 100\n")),
               HasSubstr(":34: *NFILL is between sets of 2 and 1 nodes"));
   EXPECT_THAT(error(deck("*NFILL\na, b, 2, 100\n")), HasSubstr(":30: *NFILL needs two node sets"));
