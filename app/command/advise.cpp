@@ -284,11 +284,6 @@ AdviseResult adviseScene(const AdviseOptions& options) {
   const SceneStart start = startOf(options.scene, options.overrides, options.threads, SceneUse::advise);
   const Scene& scene = start.scene;
   const std::string file = scene.file.string();
-  if (!takesHandler(*start.integrator))
-    throw InputError(
-        fmt::format("{}: integrator.method = {}: takes no handler; choose another with --set "
-                    "integrator.method=verlet",
-                    file, inQuotes(scene.method)));
   if (!options.step && !scene.step)
     throw InputError(
         fmt::format("{}: integrator.step = \"auto\" keeps below the critical step by itself; give the step "

@@ -9,8 +9,8 @@
 #include <ringwatch/app/command/progress.h>
 #include <ringwatch/app/command/step_answer.h>
 #include <ringwatch/app/output/report.h>
+#include <ringwatch/app/scene/capabilities.h>
 #include <ringwatch/app/scene/scene.h>
-#include <ringwatch/app/scene/scene_features.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/base/markup.h>

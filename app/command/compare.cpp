@@ -8,8 +8,8 @@
 #include <ringwatch/app/command/integrator_catalog.h>
 #include <ringwatch/app/command/progress.h>
 #include <ringwatch/app/output/report.h>
+#include <ringwatch/app/scene/capabilities.h>
 #include <ringwatch/app/scene/scene.h>
-#include <ringwatch/app/scene/scene_features.h>
 #include <ringwatch/app/scene/scene_state.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/nearest_name.h>

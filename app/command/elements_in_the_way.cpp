@@ -62,14 +62,6 @@ double safeWithout(const Body& body, NodeVectorsView x, const StepRule& rule, co
   return criticalStep(Body(body, complement(std::move(flags))), x, rule).safe;
 }
 
-std::string whyNoHandlers(const Body& body, const IntegratorInfo& integrator) {
-  if (!takesHandler(integrator)) return fmt::format("no handler goes with the integrator {}", integrator.name);
-  if (body.discreteForces()) return "handlers do not go with springs, dashpots and contact";
-  if (body.elementDamping()) return "handlers do not go with elements that damp";
-  if (!body.constraints().rigidBodies().empty()) return "handlers do not go with rigid bodies";
-  return {};
-}
-
 std::string_view shareText(double share) {
   constexpr double most = 0.5;  // the larger part of the body: what stays explicit saves less than it
   return share <= fewInTheWay ? ""

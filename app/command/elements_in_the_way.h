@@ -38,9 +38,6 @@ ElementsInTheWay elementsInTheWay(const Body& body, const NodeVectors& x, const 
 /// without them would allow at least. For bodies that take a handler.
 double safeWithout(const Body& body, NodeVectorsView x, const StepRule& rule, const std::vector<ElementRef>& left);
 
-/// Says why no handler steps a body with an integrator, "" where one does.
-std::string whyNoHandlers(const Body& body, const IntegratorInfo& integrator);
-
 /// The share of all elements up to which those in the way are few: handlers are made for these.
 inline constexpr double fewInTheWay = 0.1;
 /// Says what a share of all elements in the way means for handlers: "" where they are few.

@@ -11,6 +11,7 @@
 #include <ringwatch/app/command/integrator_catalog.h>
 #include <ringwatch/app/command/verify.h>
 #include <ringwatch/app/output/output_fields.h>
+#include <ringwatch/app/scene/capabilities.h>
 #include <ringwatch/app/scene/deck_keywords.h>
 #include <ringwatch/app/scene/scene_keys.h>
 #include <ringwatch/app/scene/scene_mesh.h>
@@ -158,9 +159,10 @@ std::vector<std::string> sceneSectionNames() {
   return names;
 }
 
-constexpr std::array<HelpTopic, 12> topics{{
+constexpr std::array<HelpTopic, 13> topics{{
     {"scene", "sections of a scene file; with the name of one, its keys with type, unit, range and default",
      sceneOverview, nullptr, sceneHelp, sceneSectionNames},
+    {"together", "what of a scene does not go together, and by whom it is not taken", capabilitiesText, nullptr},
     {"elements", "elements and their quadrature rules", elementsText, [] { return namesIn(allElements()); }},
     {"laws", "constitutive laws", lawsText, [] { return namesIn(allLaws()); }},
     {"integrators", "integrators and their stability limits", integratorsText,

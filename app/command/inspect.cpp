@@ -15,6 +15,7 @@
 #include <ringwatch/app/output/report.h>
 #include <ringwatch/app/output/step_reasons.h>
 #include <ringwatch/app/scene/body_notes.h>
+#include <ringwatch/app/scene/capabilities.h>
 #include <ringwatch/app/scene/mjcf_model.h>
 #include <ringwatch/app/scene/scene.h>
 #include <ringwatch/app/scene/scene_discrete.h>

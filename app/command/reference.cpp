@@ -13,6 +13,7 @@
 #include <ringwatch/app/command/verify.h>
 #include <ringwatch/app/output/output_fields.h>
 #include <ringwatch/app/output/report.h>
+#include <ringwatch/app/scene/capabilities.h>
 #include <ringwatch/app/scene/deck_keywords.h>
 #include <ringwatch/app/scene/probe_quantity.h>
 #include <ringwatch/app/scene/scene_keys.h>
@@ -393,6 +394,13 @@ std::string decksPage(const Commands&) {
   return page.text();
 }
 
+std::string capabilitiesPage(const Commands&) {
+  Page page("What goes together",
+            "`ringwatch help together` prints the same, and `ringwatch schema scene` has it as data.");
+  page.paragraph("```text\n" + capabilitiesText() + "```");
+  return page.text();
+}
+
 std::string studiesPage(const Commands&) {
   Page page("Studies", "What `ringwatch verify STUDY` runs; `ringwatch verify all` runs them all.");
   page.table({"study", "what it measures", "former name"});
@@ -416,6 +424,7 @@ struct NamedPage {
 constexpr NamedPage pages[] = {
     {"commands", "Command line", "commands, arguments and options", commandsPage},
     {"scene", "Scene file", "sections and keys with type, range, unit and default", scenePage},
+    {"together", "What goes together", "what of a scene does not, and why", capabilitiesPage},
     {"history", "History and frames", "columns of history.csv, fields of frames", historyPage},
     {"json", "JSON files", "keys of summary.json and of what `--json` writes", jsonPage},
     {"elements", "Elements", "elements and quadrature rules", elementsPage},

@@ -22,11 +22,6 @@ SceneStart startOf(const std::filesystem::path& file, const std::vector<std::str
   Scene scene = readScene(file, overrides);
   requireTaken(scene, use);
   const IntegratorInfo& info = *integratorCatalog().find(scene.method);
-  if (!hasCriticalStep(info))
-    throw InputError(
-        fmt::format("{}: integrator.method = {}: has no critical step that a step could keep to; choose "
-                    "another with --set integrator.method=…, e.g. symplectic-euler",
-                    file.string(), inQuotes(scene.method)));
   std::vector<std::string> notes;
   Mesh mesh = sceneMesh(scene, notes);
   const int all = threadsThatPay(threads, mesh);
@@ -44,7 +39,7 @@ SceneStart startOf(const std::filesystem::path& file, const std::vector<std::str
       ruleAtOwnStep(scene, body, state.v.isZero(0) ? DampingRates::atRest : DampingRates::followed, ownStepTolerance,
                     stepOfTopMode(body, state.x));
   for (std::vector<std::string>& more :
-       std::array{bodyNotes(body), notesOfBracket(scene, body), notesOfLaterChanges(scene)})
+       std::array{bodyNotes(body), notesOfBracket(scene, body), notesOfOmissions(scene, use)})
     notes.insert(notes.end(), more.begin(), more.end());
   return {std::move(scene), &info, own.rule, std::move(body), std::move(state), std::move(notes)};
 }

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include <ringwatch/app/scene/capabilities.h>
 #include <ringwatch/app/scene/scene.h>
-#include <ringwatch/app/scene/scene_features.h>
 #include <ringwatch/integrators/integrator.h>
 #include <ringwatch/monitor/step_limit.h>
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <ringwatch/app/output/output_fields.h>
+#include <ringwatch/app/scene/capabilities.h>
 #include <ringwatch/app/scene/probe_quantity.h>
 #include <ringwatch/app/scene/scene_keys.h>
 #include <ringwatch/app/scene/scene_mesh.h>
@@ -278,7 +279,8 @@ Json sceneSchema() {
           {"type", "object"},
           {"properties", std::move(properties)},
           {"required", std::move(required)},
-          {"additionalProperties", false}};
+          {"additionalProperties", false},
+          {"x-capabilities", capabilitiesJson()}};
 }
 
 /// The keys of an output as the tree that their names describe.

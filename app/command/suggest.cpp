@@ -40,9 +40,7 @@ SuggestResult suggestSteps(const SuggestOptions& options) {
   const Body& body = start.body;
   const StepRule& rule = start.rule;
   std::vector<std::string> notes = start.notes;
-  if (options.stretch && scene.hasElementDamping())
-    throw InputError(
-        fmt::format("{}: --stretch takes no elements that damp; leave it out", scene.elementDampingOrigin));
+  if (options.stretch) requireTaken(scene, SceneUse::stretch);
   if (!options.frame && !scene.step)
     throw InputError(
         fmt::format("{}: integrator.step = \"auto\": the time in which steps are counted is needed; give --frame, e.g. "
@@ -100,8 +98,6 @@ SuggestResult suggestSteps(const SuggestOptions& options) {
     notes.emplace_back(
         "contact counts at every node that it can have, touching or not; what friction and hollow obstacles add "
         "grows with the depth to which nodes come");
-  if (!scene.handler.empty())
-    notes.push_back(fmt::format("without the handler {}: with it larger steps are possible", scene.handler));
   Json& why = json["why"] = stepReasons(body, start.state.x, rule, *start.integrator, bracket);
   addRemedies(why, body, start.state.x, rule, *start.integrator, StepWithout::proven);
   result.text += reasonsText(why, "  ", "\n");

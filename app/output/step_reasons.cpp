@@ -11,6 +11,7 @@
 
 #include <ringwatch/app/command/elements_in_the_way.h>
 #include <ringwatch/app/output/report.h>
+#include <ringwatch/app/scene/capabilities.h>
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/body/discrete_forces.h>
 #include <ringwatch/monitor/element_cause.h>

@@ -62,7 +62,5 @@ std::vector<ElementRef> elementsOfPart(const RankBody& part, const ElementFlags&
 /// The handler of a scene, which has one, chosen at rest for steps of h seconds. May change masses of the whole body,
 /// which must live until RankHandler::begin.
 std::unique_ptr<RankHandler> makeRankHandler(const Scene& scene, Body& whole, double h);
-/// Throws InputError, naming the key, for a handler that is not distributed, or not with these options.
-void requireDistributableHandler(const Scene& scene);
 
 }  // namespace ringwatch

@@ -21,7 +21,6 @@
 #include <ringwatch/app/output/report.h>
 #include <ringwatch/app/ranks/rank_frames.h>
 #include <ringwatch/app/ranks/rank_handler.h>
-#include <ringwatch/app/ranks/rank_scene.h>
 #include <ringwatch/app/ranks/rank_threads.h>
 #include <ringwatch/app/ranks/together.h>
 #include <ringwatch/app/run/checkpoint.h>
@@ -33,6 +32,7 @@
 #include <ringwatch/app/run/stopwatch.h>
 #include <ringwatch/app/run/timed_loads.h>
 #include <ringwatch/app/scene/body_notes.h>
+#include <ringwatch/app/scene/capabilities.h>
 #include <ringwatch/app/scene/scene_state.h>
 #include <ringwatch/base/archive.h>
 #include <ringwatch/base/atomic_file.h>
@@ -147,7 +147,7 @@ class RankRun {
       } else {
         scene_ = readScene(request_.scene, request_.overrides);
       }
-      requireDistributable(scene_);
+      requireTaken(scene_, SceneUse::ranks);
       Mesh mesh = sceneMesh(scene_, result_.notes);
       const int threads = threadsOfRank(ranks_, request_.threads, mesh);
       whole_ = std::make_unique<Body>(sceneBody(scene_, std::move(mesh), threads));
@@ -473,7 +473,7 @@ class RankRun {
 
   /// Of a signal: nothing of this run changes. One that goes on from it begins monitor and balance again.
   void writeCheckpointOfSignal() {
-    std::string reason = scene_.whyNoCheckpoints();
+    std::string reason = whyNot(scene_, Feature::savedStates);
     if (reason.empty() && result_.steps == 0) reason = "no step was taken yet";
     if (reason.empty()) writeCheckpoint();
     if (!first()) return;

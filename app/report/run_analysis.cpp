@@ -9,9 +9,9 @@
 
 #include <ringwatch/app/command/integrator_catalog.h>
 #include <ringwatch/app/output/frames.h>
+#include <ringwatch/app/scene/capabilities.h>
 #include <ringwatch/app/scene/scene.h>
 #include <ringwatch/app/scene/scene_discrete.h>
-#include <ringwatch/app/scene/scene_features.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/base/parallel.h>
@@ -297,8 +297,7 @@ RunAnalysis analyseRun(const std::filesystem::path& folder, const std::filesyste
       optimistic = bracket.optimistic;
     }
   }
-  return analyseState({body, state.x, *integrator, rule, scene.damping, safe, optimistic, taken,
-                       takesSomeHandler(scene.echo) ? "" : "handlers do not go with all that the scene has"});
+  return analyseState({body, state.x, *integrator, rule, scene.damping, safe, optimistic, taken, whyNoHandlers(scene)});
 }
 
 RunAnalysis analyseLargeRun(const std::filesystem::path& folder, const VtuFrame& frame) {
@@ -320,7 +319,7 @@ RunAnalysis analyseLargeRun(const std::filesystem::path& folder, const VtuFrame&
   for (const FrameField& field : frame.cells)
     if (field.name == "material") state.materialOfElement.assign(field.values.begin(), field.values.end());
   RunAnalysis analysis = analyseFrame(state);
-  analysis.couldTakeHandler = takesSomeHandler(scene.echo);
+  analysis.couldTakeHandler = whyNoHandlers(scene).empty();
   return analysis;
 }
 

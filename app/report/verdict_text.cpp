@@ -8,7 +8,7 @@
 
 #include <ringwatch/app/output/step_reasons.h>
 #include <ringwatch/app/report/json_read.h>
-#include <ringwatch/app/scene/scene_features.h>
+#include <ringwatch/app/scene/capabilities.h>
 #include <ringwatch/base/infinity.h>
 
 namespace ringwatch {
@@ -193,8 +193,12 @@ void advise(PageVerdict& verdict, const std::vector<std::string>& remedies) {
 
 /// Whether scenes like this one take a handler.
 bool couldTakeHandler(const Json& summary) {
-  const Json* scene = objectIn(summary, "scene");
-  return scene && takesSomeHandler(*scene);
+  const Json* echo = objectIn(summary, "scene");
+  try {
+    return echo && whyNoHandlers(sceneOfEcho("scene", *echo)).empty();
+  } catch (const std::exception&) {  // an echo that others have written may hold anything
+    return false;
+  }
 }
 
 void adviseHandler(PageVerdict& verdict, const Json& summary, const RunAnalysis* analysis) {

@@ -189,9 +189,9 @@ Checkpoint readCheckpoint(const std::filesystem::path& folder) {
 
 Scene sceneOf(const Checkpoint& checkpoint) {
   Scene scene = sceneOfEcho(checkpoint.sceneFile, checkpoint.scene);
-  scene.meshFile = checkpoint.meshFile;  // wherever the program is called from
-  scene.echo = checkpoint.scene;         // keys in the same order
-  if (scene.device == RunDevice::automatic) scene.noDevice = "a run on a GPU has no checkpoints";
+  scene.meshFile = checkpoint.meshFile;                                     // wherever the program is called from
+  scene.echo = checkpoint.scene;                                            // keys in the same order
+  if (scene.device == RunDevice::automatic) scene.device = RunDevice::cpu;  // where it was written
   return scene;
 }
 

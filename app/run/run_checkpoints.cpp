@@ -7,6 +7,7 @@
 
 #include <ringwatch/app/run/saved_result.h>
 #include <ringwatch/app/run/stopwatch.h>
+#include <ringwatch/app/scene/capabilities.h>
 #include <ringwatch/base/archive.h>
 #include <ringwatch/base/error.h>
 
@@ -64,7 +65,7 @@ void RunCheckpoints::writeAsItIs() {
 }
 
 std::string RunCheckpoints::whyNone() const {
-  if (std::string reason = run_.scene.whyNoCheckpoints(); !reason.empty()) return reason;
+  if (std::string reason = whyNot(run_.scene, Feature::savedStates); !reason.empty()) return reason;
   if (!run_.scheme->stepper().keepsNothing()) return "a run on a GPU has no checkpoints";
   if (run_.result.steps == 0) return "no step was taken yet";
   if (!isFinite(run_.state, run_.body.threads())) return "positions or velocities are not finite";

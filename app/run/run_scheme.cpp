@@ -4,6 +4,7 @@
 
 #include <ringwatch/app/command/integrator_catalog.h>
 #include <ringwatch/app/run/device_stepper.h>
+#include <ringwatch/app/scene/capabilities.h>
 #include <ringwatch/app/scene/scene_state.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/integrators/additive_system.h>
@@ -60,7 +61,8 @@ void RunScheme::makeStepper(double h) {
 /// nullptr where the scene wants no GPU, or may do without one.
 std::unique_ptr<Stepper> RunScheme::onDevice(double h) {
   if (scene_.device == RunDevice::cpu) return nullptr;
-  std::string reason = scene_.noDevice.empty() ? whyNoDevice() : scene_.noDevice;
+  const auto refusal = refusalOf(scene_, SceneUse::gpu);
+  std::string reason = refusal ? refusal->what : whyNoDevice();
   if (reason.empty()) {
     try {
       // A handler's monitor watches the explicit elements, the GPU's rings would be those of all.
@@ -75,7 +77,8 @@ std::unique_ptr<Stepper> RunScheme::onDevice(double h) {
     }
   }
   if (scene_.device == RunDevice::cuda)
-    throw InputError(fmt::format("{}: \"cuda\": {}; set it to \"cpu\" or \"auto\"", scene_.deviceOrigin, reason));
+    throw InputError(
+        fmt::format("{}: \"cuda\": {}; set it to \"cpu\" or \"auto\"", scene_.where("integrator.device"), reason));
   result_.notes.push_back(fmt::format("device = \"auto\": the steps are taken on the CPU, since {}", reason));
   return nullptr;
 }

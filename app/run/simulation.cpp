@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include <ringwatch/app/run/stopwatch.h>
+#include <ringwatch/app/scene/body_notes.h>
 #include <ringwatch/app/scene/scene_discrete.h>
-#include <ringwatch/app/scene/scene_features.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/body/discrete_forces.h>
 #include <ringwatch/handlers/angular_momentum.h>

@@ -140,4 +140,25 @@ std::vector<std::string> bodyNotes(const Body& body, bool held) {
   return notes;
 }
 
+std::vector<std::string> notesOfBracket(const Scene& scene, const Body& body) {
+  std::vector<std::string> notes;
+  if (body.discreteForces() && body.discreteForces()->friction())
+    notes.emplace_back(
+        "friction: while surfaces slide its tangent is not symmetric, and what is called certified is that of the "
+        "run without it, with the damping that it has while they stick");
+  if (body.elementDamping() && body.elementDamping()->dependsOnRates())
+    notes.emplace_back(
+        "quadratic bulk viscosity: it counts with its derivative at the velocities of each observed state");
+  if (std::ranges::any_of(body.constraints().rigidBodies(), [](const RigidBody& rigid) {
+        return rigid.guide().turning != RigidGuide::Turning::prescribed;
+      }))
+    notes.emplace_back(
+        "rigid bodies: their nodes' forces turn with them, which adds a stiffness that is not in the bracket");
+  if (!scene.pressures.empty())
+    notes.emplace_back(
+        "pressure: its load stiffness is not symmetric and not in the bracket, which is that of the body under dead "
+        "loads");
+  return notes;
+}
+
 }  // namespace ringwatch

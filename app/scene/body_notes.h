@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <ringwatch/body/body.h>
+#include <ringwatch/app/scene/scene.h>
 
 namespace ringwatch {
 
@@ -24,6 +24,8 @@ BodyFigures bodyFigures(const Body& body);
 std::vector<std::string> bodyNotes(const Body& body, bool held);
 /// The same of a body as a whole, and whether it is so large that its mesh may be in mm.
 std::vector<std::string> bodyNotes(const Body& body);
+/// What of a body of the scene is not in its bracket, one line each.
+std::vector<std::string> notesOfBracket(const Scene& scene, const Body& body);
 /// Whether supports, springs or contact may keep a body from flying off.
 bool isHeld(const Body& body);
 

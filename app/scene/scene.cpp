@@ -7,11 +7,11 @@
 #include <fmt/format.h>
 
 #include <ringwatch/app/command/integrator_catalog.h>
+#include <ringwatch/app/scene/capabilities.h>
 #include <ringwatch/app/scene/mjcf_model.h>
 #include <ringwatch/app/scene/mjcf_scene.h>
 #include <ringwatch/app/scene/scene_damping.h>
 #include <ringwatch/app/scene/scene_discrete.h>
-#include <ringwatch/app/scene/scene_features.h>
 #include <ringwatch/app/scene/scene_keys.h>
 #include <ringwatch/app/scene/scene_mesh.h>
 #include <ringwatch/app/scene/scene_probes.h>
@@ -117,13 +117,7 @@ void readMaterials(const std::vector<SceneTable>& sections, Scene& scene) {
   std::vector<const SceneTable*> tables;
   for (const SceneTable& section : sections)
     if (section.name == "material") tables.push_back(&section);
-  for (const SceneTable* table : tables) {
-    scene.materials.push_back(materialOf(*table, tables.size() > 1));
-    if (scene.materials.back().damping.any() && scene.elementDampingOrigin.empty())
-      for (const char* key : materialDampingKeys)
-        if (scene.elementDampingOrigin.empty() && table->get<double>(key) > 0)
-          scene.elementDampingOrigin = table->where(key);
-  }
+  for (const SceneTable* table : tables) scene.materials.push_back(materialOf(*table, tables.size() > 1));
   const SceneTable *lumping = tables.front(), *rules = nullptr, *hourglass = nullptr;
   const auto differs = [](const SceneTable& table, const std::string& key, const SceneTable& other) {
     fail(table.at(key).origin, "material." + key,
@@ -227,13 +221,6 @@ void readIntegratorSection(const SceneTable& integrator, const SceneTable& monit
     fail(monitor.at("certificates").origin, "monitor.certificates",
          "certificates are of what is proven: monitor.mode = \"bracket\" or \"threshold\", and an integrator with a "
          "critical step");
-  if (scene.proves() && scene.damping.any() && !info.highestModeBinds)
-    fail(integrator.at("method").origin, "integrator.method",
-         fmt::format(
-             "\"{}\": with [damping] the bracket is proven for {} only; choose one of them, or set monitor.bracket "
-             "= false, with a monitor.metric for an estimate",
-             scene.method,
-             namesWhere(integratorInfos(), [](const IntegratorInfo& one) { return one.highestModeBinds; })));
 }
 
 /// The keys of [handler] that the handler declares.
@@ -297,8 +284,7 @@ void checkDampingOfHandler(const HandlerInfo& info, const SceneTable& handler, c
          fmt::format("{} 1/s needs a step below {} s", scene.damping.alpha, 2 / scene.damping.alpha));
 }
 
-void readHandlerSection(const SceneTable& handler, const SceneTable& integrator, const SceneTable& monitor,
-                        const SceneTable& damping, Scene& scene) {
+void readHandlerSection(const SceneTable& handler, const SceneTable& monitor, const SceneTable& damping, Scene& scene) {
   scene.handler = handler.get<std::string>("method");
   if (scene.handler == "none") scene.handler.clear();
   scene.handlerOptions.selection = handler.named("selection", selectionNames);
@@ -313,25 +299,11 @@ void readHandlerSection(const SceneTable& handler, const SceneTable& integrator,
       fail(monitor.at("on_violation").origin, "monitor.on_violation", "\"handle\" needs a handler; set handler.method");
     return;
   }
-  const IntegratorInfo& info = *integratorCatalog().find(scene.method);
-  if (!takesHandler(info))
-    fail(integrator.at("method").origin, "integrator.method",
-         fmt::format("\"{}\": handlers work on {}; choose one of them", scene.method,
-                     namesWhere(integratorInfos(), takesHandler)));
-  if (scene.holdsStep)
-    fail(integrator.at("hold").origin, "integrator.hold", "handlers follow the safe step, or take one that is given");
   readWantedStep(handler, scene);
   readHandlerOptions(*findHandler(scene.handler), handler, scene);
-  if (scene.onViolation == OnViolation::reduceStep)
-    fail(monitor.at("on_violation").origin, "monitor.on_violation",
-         "\"reduce-step\" works against the handler; set it to \"handle\", \"warn\" or \"stop\"");
   if (scene.onViolation == OnViolation::handle && !scene.proves())
     fail(monitor.at("on_violation").origin, "monitor.on_violation",
          "\"handle\" follows the proven bracket; it needs monitor.mode = \"bracket\" or \"threshold\"");
-  if (scene.certificates)
-    fail(monitor.at("certificates").origin, "monitor.certificates",
-         "certificates are of the whole body, and a handler takes its stiff elements apart; set handler.method = "
-         "\"none\"");
   checkDampingOfHandler(*findHandler(scene.handler), handler, damping, scene);
 }
 
@@ -352,78 +324,31 @@ std::vector<int> readDevices(const SceneTable& integrator) {
 void readDevice(const SceneTable& integrator, Scene& scene) {
   scene.device = integrator.named("device", runDeviceNames);
   scene.devices = readDevices(integrator);
-  if (scene.device == RunDevice::cpu) {
-    if (scene.devices != std::vector<int>{0})
-      fail(integrator.at("devices").origin, "integrator.devices",
-           "the steps are taken on the CPU; set integrator.device = \"cuda\" or \"auto\"");
-    return;
-  }
-  scene.deviceOrigin = integrator.at("device").origin + ": integrator.device";
-  const HandlerInfo* info = findHandler(scene.handler);
-  const bool onGpu = integratorCatalog().find(scene.method)->runsOnGpu && !scene.damping.any() &&
-                     (scene.handler.empty() || info->forGpu != nullptr);
-  if (!onGpu) {
-    const std::vector<HandlerInfo> handlers = handlerInfos();
-    scene.noDevice = fmt::format("a GPU runs {} without [damping], and of the handlers {} alone",
-                                 namesWhere(integratorInfos(), [](const IntegratorInfo& one) { return one.runsOnGpu; }),
-                                 namesWhere(handlers, [](const HandlerInfo& one) { return one.forGpu != nullptr; }));
-  } else if (info && !scene.step) {
-    scene.noDevice = "a GPU takes handlers in steps of one size, not with integrator.step = \"auto\"";
-  } else if (info && scene.devices.size() != 1) {
-    scene.noDevice = "a handler takes one GPU, so integrator.devices must name one";
-  } else if (info) {
-    scene.noDevice = info->forGpu(scene.handlerOptions.own);
-  }
-  if (scene.noDevice.empty() && scene.hasUniformStrain()) scene.noDevice = "a GPU takes no rule of uniform strain";
-  if (scene.noDevice.empty()) return;
-  if (scene.device == RunDevice::cuda)
-    fail(integrator.at("device").origin, "integrator.device", scene.noDevice + "; change that, or set it to \"cpu\"");
+  if (scene.device == RunDevice::cpu && scene.devices != std::vector<int>{0})
+    fail(integrator.at("devices").origin, "integrator.devices",
+         "the steps are taken on the CPU; set integrator.device = \"cuda\" or \"auto\"");
 }
 
-/// Where loads follow tables of time, their forces are those of the states of a run: schemes must ask for no others.
-void checkTimedLoads(Scene& scene) {
-  if (scene.timed.empty()) return;
-  const auto takes = [](const IntegratorInfo& info) {
-    return info.forceEvaluations == 1 && !info.partitioned && !info.adaptive && !std::isinf(info.imaginaryLimit);
-  };
-  if (!takes(*integratorCatalog().find(scene.method)))
-    throw InputError(fmt::format("{}: \"{}\" takes no {}; {} do", scene.timed, scene.method, scene.timedBy,
-                                 namesWhere(integratorInfos(), takes)));
-  if (!scene.handler.empty())
-    throw InputError(fmt::format("{}: handlers take no {}; set handler.method = \"none\"", scene.timed, scene.timedBy));
-  if (!scene.cuts.empty()) throw InputError(fmt::format("{}: {} do not go with [[cut]]", scene.timed, scene.timedBy));
-  if (scene.device == RunDevice::cuda)
-    throw InputError(
-        fmt::format("{}: \"cuda\": a GPU takes no {}; set it to \"cpu\"", scene.deviceOrigin, scene.timedBy));
-  if (scene.device == RunDevice::automatic) scene.noDevice = fmt::format("a GPU takes no {}", scene.timedBy);
-}
-
-/// What a run that goes back does not go with.
-void checkRepeats(const SceneTable& monitor, Scene& scene) {
+/// What a run that goes back needs.
+void checkRepeats(const SceneTable& monitor, const Scene& scene) {
   if (scene.onViolation != OnViolation::repeat) return;
   const std::pair<bool, std::string> faults[] = {
       {!scene.proves(), "goes back to certified states; it needs monitor.mode = \"bracket\" or \"threshold\""},
-      {!scene.step && !scene.holdsStep, "is for a step that is given; integrator.step = \"auto\" follows the safe one"},
-      {scene.checkpointInterval.has_value(),
-       "goes without checkpoints along the run; leave output.checkpoint_every out"},
-      // What has no checkpoints has no state to go back to.
-      {!scene.whyNoCheckpoints().empty(), fmt::format("has no state to go back to: {}", scene.whyNoCheckpoints())}};
+      {!scene.step && !scene.holdsStep,
+       "is for a step that is given; integrator.step = \"auto\" follows the safe one"}};
   for (const auto& [is, why] : faults)
     if (is) fail(monitor.at("on_violation").origin, "monitor.on_violation", fmt::format("\"repeat\" {}", why));
-  if (scene.device == RunDevice::automatic) scene.noDevice = "a run on a GPU does not go back";
 }
 
 void readCheckpoints(const SceneTable& output, Scene& scene) {
   if (!output.given("checkpoint_every")) return;
   const SceneEntry& entry = output.at("checkpoint_every");
-  const auto refuse = [&](const std::string& what) { fail(entry.origin, "output.checkpoint_every", what); };
   scene.checkpointInterval = entry.value.get<double>();
   const double count = scene.end / *scene.checkpointInterval;
   if (!(count <= mostSteps))
-    refuse(fmt::format("{} s makes {:.3g} checkpoints to the end at {} s; at most {} are possible",
-                       *scene.checkpointInterval, count, scene.end, mostSteps));
-  if (const std::string reason = scene.whyNoCheckpoints(); !reason.empty()) refuse(reason);
-  if (scene.device == RunDevice::automatic) scene.noDevice = "a run on a GPU has no checkpoints";
+    fail(entry.origin, "output.checkpoint_every",
+         fmt::format("{} s makes {:.3g} checkpoints to the end at {} s; at most {} are possible",
+                     *scene.checkpointInterval, count, scene.end, mostSteps));
 }
 
 void readInitialSection(const SceneTable& section, Scene& scene) {
@@ -462,11 +387,6 @@ Scene::Move moveOf(const SceneTable& section, Scene& scene) {
   Scene::Move move{std::move(nodes),        componentsOf(section),     given("velocity"),
                    tableOf(section, scene), given("angular_velocity"), vectorOf(section.at("point").value)};
   move.guide = std::move(guide);
-  // Its direction changes with time, as with a table.
-  if (move.rotates() && scene.timed.empty()) {
-    scene.timed = section.where("angular_velocity");
-    scene.timedBy = "rotations";
-  }
   if (!way) return move;
   const std::string& origin = section.at("displacement").origin;
   if (!move.table)
@@ -498,10 +418,6 @@ void readLoadSection(const SceneTable& section, Scene& scene) {
   if (section.name == "pressure") {
     scene.pressures.push_back({std::move(nodes), section.get<double>("pressure"), tableOf(section, scene),
                                section.origin + ": [[pressure]]"});
-    if (scene.timed.empty()) {
-      scene.timed = section.origin + ": [[pressure]]";
-      scene.timedBy = "pressures";
-    }
   } else {
     std::vector<std::string> given;
     for (const char* key : {"acceleration", "force", "each"})
@@ -547,8 +463,7 @@ void readCutSection(const SceneTable& section, Scene& scene) {
   }
 }
 
-/// [erosion], after all that it does not go with.
-void readErosion(const SceneTable& section, const SceneTable& monitor, Scene& scene) {
+void readErosion(const SceneTable& section, Scene& scene) {
   const bool given = std::ranges::any_of(section.entries, [](const auto& entry) { return entry.second.given; });
   if (!given) return;
   Scene::Erosion erosion;
@@ -564,22 +479,27 @@ void readErosion(const SceneTable& section, const SceneTable& monitor, Scene& sc
   if (!erosion.inverted && !erosion.stretch && !erosion.vonMises && !erosion.principalStress && !erosion.step)
     fail(section.origin, "[erosion]",
          "there is no criterion; give inverted = true, max_stretch, max_von_mises, max_principal_stress or least_step");
-  const auto refuse = [&](const std::string& what) { fail(section.origin, "[erosion]", what); };
-  const auto takes = [](const IntegratorInfo& info) {
-    return info.forceEvaluations > 0 && !info.partitioned && !info.adaptive && !std::isinf(info.imaginaryLimit);
-  };
-  if (!takes(*integratorCatalog().find(scene.method)))
-    refuse(fmt::format("does not go with \"{}\"; {} take it", scene.method, namesWhere(integratorInfos(), takes)));
-  if (!scene.handler.empty()) refuse("does not go with a handler; set handler.method = \"none\"");
-  if (!scene.cuts.empty()) refuse("does not go with [[cut]]; remove one of them");
-  if (!scene.pressures.empty()) refuse("does not go with [[pressure]], whose surface would change; remove one of them");
-  if (scene.checkpointInterval) refuse("does not go with output.checkpoint_every; remove one of them");
-  if (scene.certificates)
-    fail(monitor.at("certificates").origin, "monitor.certificates",
-         "certificates along a run are of one body, and [erosion] changes it; remove one of them");
-  if (scene.device == RunDevice::cuda) refuse("a GPU takes no erosion; set integrator.device = \"cpu\"");
-  if (scene.device == RunDevice::automatic) scene.noDevice = "a GPU takes no erosion";
   scene.erosion = erosion;
+}
+
+/// Scene::places: keys that are false, 0 or "none" switch nothing on.
+std::map<std::string, std::string> placesOf(const std::vector<SceneTable>& sections) {
+  const Json off[] = {false, 0, "none"};
+  std::map<std::string, std::string> places;
+  for (const SceneTable& section : sections) {
+    places.emplace(section.name, section.origin);
+    for (const auto& [key, entry] : section.entries)
+      if (entry.given && std::ranges::find(off, entry.value) == std::end(off))
+        places.emplace(section.name + "." + key, entry.origin);
+  }
+  return places;
+}
+
+/// Options of a handler that are not given have other defaults on a GPU.
+void takeDefaultsOfGpu(Scene& scene) {
+  const HandlerInfo* handler = findHandler(scene.handler);
+  if (handler && scene.device != RunDevice::cpu && !refusalOf(scene, SceneUse::gpu))
+    handler->forGpu(scene.handlerOptions.own);
 }
 
 Json echoOf(const std::vector<SceneTable>& sections) {
@@ -624,10 +544,6 @@ std::optional<TimeTable> tableOf(const SceneTable& section, Scene& scene) {
     for (const char* key : {"times", "factors", "ramp"})
       if (section.given(key))
         fail(section.at(key).origin, section.name + "." + key, "is of a table, and factor is given; give one of them");
-    if (scene.timed.empty()) {
-      scene.timed = section.where("factor");
-      scene.timedBy = "expressions of time";
-    }
     const auto text = section.get<std::string>("factor");
     try {
       return TimeTable(TimeExpression(text), scene.end);
@@ -645,7 +561,6 @@ std::optional<TimeTable> tableOf(const SceneTable& section, Scene& scene) {
   for (const auto& [one, other] : {std::pair{"times", "factors"}, std::pair{"factors", "times"}})
     if (!section.given(one))
       fail(section.at(other).origin, section.name + "." + one, fmt::format("missing; it goes with {}", other));
-  if (scene.timed.empty()) scene.timed = section.where("times");
   try {
     return TimeTable(section.get<std::vector<double>>("times"), section.get<std::vector<double>>("factors"),
                      section.named("ramp", rampNames));
@@ -678,6 +593,7 @@ Scene makeScene(const std::filesystem::path& file, const std::vector<SceneTable>
   Scene scene;
   scene.file = file;
   scene.echo = echoOf(sections);
+  scene.places = placesOf(sections);
   const auto section = [&](std::string_view name) -> const SceneTable& {
     return *std::find_if(sections.begin(), sections.end(), [&](const SceneTable& s) { return s.name == name; });
   };
@@ -685,7 +601,7 @@ Scene makeScene(const std::filesystem::path& file, const std::vector<SceneTable>
 
   readMaterials(sections, scene);
   readIntegratorSection(section("integrator"), section("monitor"), section("damping"), scene);
-  readHandlerSection(section("handler"), section("integrator"), section("monitor"), section("damping"), scene);
+  readHandlerSection(section("handler"), section("monitor"), section("damping"), scene);
   readDevice(section("integrator"), scene);
   readRigidSections(sections, scene);
   for (const SceneTable& s : sections)
@@ -698,13 +614,7 @@ Scene makeScene(const std::filesystem::path& file, const std::vector<SceneTable>
     if (s.name == "cut") readCutSection(s, scene);
   std::stable_sort(scene.cuts.begin(), scene.cuts.end(),
                    [](const Scene::Cut& a, const Scene::Cut& b) { return a.time < b.time; });
-  if (!scene.cuts.empty() && scene.device == RunDevice::cuda)
-    throw InputError(fmt::format("{}: \"cuda\": a GPU runs no cuts; set it to \"cpu\"", scene.deviceOrigin));
-  if (!scene.cuts.empty() && scene.device == RunDevice::automatic) scene.noDevice = "a GPU runs no cuts";
-  checkTimedLoads(scene);
   readDiscreteSections(sections, scene);
-  checkElementDamping(scene);
-  checkRigidBodies(scene);
 
   const SceneTable& output = section("output");
   if (output.given("every")) {
@@ -718,12 +628,8 @@ Scene makeScene(const std::filesystem::path& file, const std::vector<SceneTable>
   scene.exactTimes = output.get<bool>("exact_times");
   if (scene.exactTimes && !scene.frameInterval)
     fail(output.at("exact_times").origin, "output.exact_times", "there are no frames; give output.every");
-  if (scene.exactTimes && scene.device == RunDevice::cuda)
-    fail(output.at("exact_times").origin, "output.exact_times",
-         "a GPU takes several steps at a time; set integrator.device = \"cpu\"");
-  if (scene.exactTimes && scene.device == RunDevice::automatic) scene.noDevice = "a GPU takes several steps at a time";
   readCheckpoints(output, scene);
-  readErosion(section("erosion"), section("monitor"), scene);
+  readErosion(section("erosion"), scene);
   checkRepeats(section("monitor"), scene);
   scene.fields = output.get<std::vector<std::string>>("fields");
   scene.historyEvery = output.get<std::int64_t>("history_every");
@@ -740,6 +646,8 @@ Scene makeScene(const std::filesystem::path& file, const std::vector<SceneTable>
                        info.partitioned ? "chooses its stiff elements by the step" : "is stable at every step"));
   if (scene.metric.empty() && std::find(scene.fields.begin(), scene.fields.end(), "metric") != scene.fields.end())
     fail(output.at("fields").origin, "output.fields", "\"metric\" needs a metric; set monitor.metric");
+  requireTogether(scene);
+  takeDefaultsOfGpu(scene);
   return scene;
 }
 }  // namespace
@@ -776,19 +684,14 @@ Scene sceneOfEcho(const std::filesystem::path& file, const Json& echo) {
   return makeScene(file, sceneTablesOfEcho(file, tomlOfSections(echo)));
 }
 
-std::string Scene::whyNoCheckpoints() const {
-  // For what a state of positions and velocities tells all of.
-  const auto takes = [](const IntegratorInfo& info) {
-    return info.forceEvaluations > 0 && !info.partitioned && !info.adaptive && !std::isinf(info.imaginaryLimit);
-  };
-  if (!takes(*integratorCatalog().find(method)))
-    return fmt::format("\"{}\" has no checkpoints; {} have", method, namesWhere(integratorInfos(), takes));
-  if (!handler.empty())
-    return fmt::format("the handler \"{}\" has no checkpoints; set handler.method = \"none\"", handler);
-  if (!cuts.empty()) return "runs with [[cut]] have no checkpoints";
-  if (erosion) return "runs with [erosion] have no checkpoints";
-  if (device == RunDevice::cuda) return "a run on a GPU has no checkpoints; set integrator.device = \"cpu\"";
-  return {};
+std::string Scene::where(const std::string& sectionOrKey) const {
+  const auto place = places.find(sectionOrKey);
+  const auto known = sceneSections();
+  const auto section = std::ranges::find(known, sectionOrKey, &SceneSection::name);
+  return fmt::format(fmt::runtime(section == known.end() ? "{}: {}"
+                                  : section->list        ? "{}: [[{}]]"
+                                                         : "{}: [{}]"),
+                     place == places.end() ? file.string() : place->second, sectionOrKey);
 }
 
 std::optional<std::array<bool, 3>> parseComponents(std::string_view text) {

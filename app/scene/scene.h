@@ -220,10 +220,13 @@ struct Scene {
   };
 
   std::filesystem::path file;
-  bool ofModel = false;            // the file is a deck or a MuJoCo model
-  std::vector<std::string> notes;  // what a user may want to know of how the file was read, one line each
-  std::string mayBeStable;         // as DeckScene::mayBeStable
-  nlohmann::ordered_json echo;     // every section and key with defaults filled in
+  bool ofModel = false;                       // the file is a deck or a MuJoCo model
+  std::vector<std::string> notes;             // what a user may want to know of how the file was read, one line each
+  std::string mayBeStable;                    // as DeckScene::mayBeStable
+  nlohmann::ordered_json echo;                // every section and key with defaults filled in
+  std::map<std::string, std::string> places;  // "scene.toml:31", of the first of each section and key that is given
+  /// "scene.toml:31: [[cut]]" or "scene.toml:9: integrator.device", for messages: the file where it is not given.
+  std::string where(const std::string& sectionOrKey) const;
 
   std::filesystem::path meshFile;  // empty when generated
   std::string generator;
@@ -240,11 +243,8 @@ struct Scene {
   double end = 0;              // s
   RayleighDamping damping;
   double linearBulkViscosity = 0, quadraticBulkViscosity = 0;
-  std::string elementDampingOrigin;  // of the first key by which elements damp, for messages
   RunDevice device = RunDevice::cpu;
-  std::string deviceOrigin;  // "scene.toml:9: integrator.device", for messages
   std::vector<int> devices;  // GPUs, by number; empty: all
-  std::string noDevice;      // why this scene cannot run on a GPU; "" when it can
   bool holdsStep = false;    // "auto" keeps the step of the first state
   double safety = 0;         // share of the safe step that "auto", "reduce-step" and "repeat" take
 
@@ -276,9 +276,7 @@ struct Scene {
   std::vector<MovingObstacle> obstacles;
   std::vector<Contact> contacts;
   std::vector<Pressure> pressures;
-  std::string timed;  // "scene.toml:12: move.times", of the first load or motion that changes in time; "" for none
-  std::string timedBy = "tables of time";  // or what else changes it
-  std::vector<Cut> cuts;                   // by time
+  std::vector<Cut> cuts;  // by time
 
   std::optional<double> checkpointInterval;  // s; empty for no checkpoints
   std::optional<double> frameInterval;       // s; empty for no frames
@@ -307,16 +305,8 @@ struct Scene {
   }
   /// Whether anything but dashpots and contact damps.
   bool damps() const { return damping.any() || hasElementDamping(); }
-  /// Why its runs have no checkpoints, "" where they have: the scene's integrator, handler, cuts or GPU.
-  std::string whyNoCheckpoints() const;
   /// Whether there are springs, mass damping of nodes or contact.
   bool hasDiscreteForces() const { return !springs.empty() || !massDampings.empty() || !contacts.empty(); }
-  /// Where the first of them is, for messages: "scene.toml:31: [[spring]]".
-  std::string discreteOrigin() const {
-    return !springs.empty()        ? springs.front().origin
-           : !massDampings.empty() ? massDampings.front().origin
-                                   : contacts.front().origin;
-  }
   /// Whether there is contact with obstacles that move.
   bool movesObstacles() const {
     return !contacts.empty() && std::any_of(obstacles.begin(), obstacles.end(),

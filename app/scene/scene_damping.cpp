@@ -21,7 +21,6 @@ void readDampingSection(const SceneTable& section, Scene& scene) {
   if (!bulk) return;
   scene.linearBulkViscosity = section.get<double>("linear_bulk_viscosity");
   scene.quadraticBulkViscosity = section.get<double>("quadratic_bulk_viscosity");
-  scene.elementDampingOrigin = section.where("bulk_viscosity");
 }
 
 DampingConstants dampingOf(const SceneTable& material, const Options& lawParameters) {
@@ -41,28 +40,6 @@ DampingConstants dampingOf(const SceneTable& material, const Options& lawParamet
   damping.shearViscosity += beta * young / (2 * (1 + poisson));
   damping.volumeViscosity += beta * young / (3 * (1 - 2 * poisson));
   return damping;
-}
-
-void checkElementDamping(Scene& scene) {
-  if (!scene.hasElementDamping()) return;
-  const std::string& origin = scene.elementDampingOrigin;
-  const IntegratorInfo& info = *integratorCatalog().find(scene.method);
-  const auto takes = [](const IntegratorInfo& one) { return one.highestModeBinds; };
-  if (!takes(info))
-    throw InputError(
-        fmt::format("{}: \"{}\": elements damp with {} only, for which the bracket is proven; choose one of them, or "
-                    "take the damping out",
-                    origin, scene.method, namesWhere(integratorInfos(), takes)));
-  if (!scene.handler.empty())
-    throw InputError(
-        fmt::format("{}: handlers do not work with elements that damp; set handler.method = \"none\"", origin));
-  if (!scene.cuts.empty()) throw InputError(fmt::format("{}: elements that damp do not go with [[cut]]", origin));
-  if (scene.certificates)
-    throw InputError(fmt::format("{}: certificates in files know no damping; take monitor.certificates out", origin));
-  constexpr const char* noDevice = "a GPU takes no elements that damp";
-  if (scene.device == RunDevice::cuda)
-    throw InputError(fmt::format("{}: \"cuda\": {}; set it to \"cpu\"", scene.deviceOrigin, noDevice));
-  if (scene.device == RunDevice::automatic) scene.noDevice = noDevice;
 }
 
 void addElementDamping(const Scene& scene, Body& body) {

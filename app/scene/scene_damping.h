@@ -8,9 +8,6 @@ namespace ringwatch {
 void readDampingSection(const SceneTable& section, Scene& scene);
 /// What the keys of a [material] say of damping, without bulk viscosity; its law has these parameters.
 DampingConstants dampingOf(const SceneTable& material, const Options& lawParameters);
-/// Elements damp with the explicit schemes whose limit with damping is proven, in one body on the CPU. Throws
-/// InputError.
-void checkElementDamping(Scene& scene);
 /// Lets the elements of a body of the scene damp, whose blocks are as assignMaterials made them.
 void addElementDamping(const Scene& scene, Body& body);
 

@@ -192,47 +192,6 @@ void readContact(const SceneTable& section, Scene& scene) {
   scene.contacts.push_back(std::move(contact));
 }
 
-bool damps(const Scene& scene) {
-  return !scene.massDampings.empty() ||
-         std::any_of(scene.springs.begin(), scene.springs.end(), [](const auto& one) { return one.damping > 0; }) ||
-         std::any_of(scene.contacts.begin(), scene.contacts.end(),
-                     [](const auto& one) { return one.damping > 0 || one.friction > 0; });
-}
-
-/// Springs and contact are of explicit schemes of one body, whose masses and meshes stay.
-void checkDiscreteForces(Scene& scene) {
-  if (!scene.hasDiscreteForces()) return;
-  const std::string origin = scene.discreteOrigin();
-  const IntegratorInfo& info = *integratorCatalog().find(scene.method);
-  const auto takes = [](const IntegratorInfo& one) {
-    return !one.partitioned && !one.adaptive && !std::isinf(one.imaginaryLimit);
-  };
-  const auto takesMoving = [&](const IntegratorInfo& one) { return takes(one) && one.forceEvaluations == 1; };
-  const auto takesDashpots = [](const IntegratorInfo& one) { return one.highestModeBinds; };
-  if (!takes(info))
-    throw InputError(fmt::format("{}: \"{}\" takes no springs and contact; {} do", origin, scene.method,
-                                 namesWhere(integratorInfos(), takes)));
-  if (scene.movesObstacles() && !takesMoving(info))
-    throw InputError(fmt::format("{}: \"{}\" takes no moving obstacles; {} do", origin, scene.method,
-                                 namesWhere(integratorInfos(), takesMoving)));
-  if (damps(scene) && !takesDashpots(info))
-    throw InputError(
-        fmt::format("{}: \"{}\": with damping or friction the bracket is proven for {} only; choose one of "
-                    "them, or take damping and friction out",
-                    origin, scene.method, namesWhere(integratorInfos(), takesDashpots)));
-  if (!scene.handler.empty())
-    throw InputError(
-        fmt::format("{}: handlers do not work with springs and contact; set handler.method = \"none\"", origin));
-  if (!scene.cuts.empty()) throw InputError(fmt::format("{}: springs and contact do not go with [[cut]]", origin));
-  if (scene.certificates)
-    throw InputError(
-        fmt::format("{}: certificates in files know no springs and contact; take monitor.certificates out", origin));
-  constexpr const char* noDevice = "a GPU takes no springs and contact";
-  if (scene.device == RunDevice::cuda)
-    throw InputError(fmt::format("{}: \"cuda\": {}; set it to \"cpu\"", scene.deviceOrigin, noDevice));
-  if (scene.device == RunDevice::automatic) scene.noDevice = noDevice;
-}
-
 std::int32_t nearest(const Mesh& mesh, std::int32_t node, const std::vector<std::int32_t>& others) {
   std::int32_t best = -1;
   double distance = infinity;
@@ -694,8 +653,6 @@ void readDiscreteSections(const std::vector<SceneTable>& sections, Scene& scene)
       own.mass = section.get<double>("mass");
     else
       own.nodal = section.get<double>("nodal_mass");
-    if (own.nodal && !to.cuts.empty())
-      fail(section.at("nodal_mass").origin, "mass.nodal_mass", "does not go with [[cut]], which makes more nodes");
     to.pointMasses.push_back(std::move(own));
   });
   forEach("mass_damping", [](const SceneTable& section, Scene& to) {
@@ -709,7 +666,6 @@ void readDiscreteSections(const std::vector<SceneTable>& sections, Scene& scene)
       std::all_of(scene.contacts.begin(), scene.contacts.end(), [](const auto& one) { return one.withSurface; }))
     throw InputError(fmt::format("{}: there is no [[contact]] with it; give one, which may be empty for the surface",
                                  scene.obstacles.front().origin));
-  checkDiscreteForces(scene);
 }
 
 void addPointMasses(const Scene& scene, Body& body) {

@@ -237,8 +237,7 @@ void addMaterial(std::vector<SceneKey>& all) {
            .unit = "1/s",
            .fallback = "0.0",
            .range = notNegative,
-           .help = "force per mass and velocity, as ALPHA of *DAMPING in Abaqus; with symplectic-euler and verlet, as "
-                   "the three that follow"},
+           .help = "force per mass and velocity, as ALPHA of *DAMPING in Abaqus"},
           {.key = "stiffness_damping",
            .type = T::number,
            .unit = "s",
@@ -262,8 +261,7 @@ void addMaterial(std::vector<SceneKey>& all) {
            .type = T::number,
            .fallback = "0.0",
            .range = notNegative,
-           .help = "of hex8=uniform-strain: viscous hourglass control, usually 0.05 to 0.15; with symplectic-euler and "
-                   "verlet"},
+           .help = "of hex8=uniform-strain: viscous hourglass control, usually 0.05 to 0.15"},
           {.key = "hourglass_stiffness",
            .type = T::number,
            .fallback = "0.05",
@@ -310,8 +308,8 @@ void addIntegrator(std::vector<SceneKey>& all) {
            .type = T::text,
            .fallback = "\"cpu\"",
            .choices = runDeviceNames.names(),
-           .help = "where the steps are taken; \"auto\" takes a GPU if there is one. Symplectic Euler without damping, "
-                   "alone or with imex; the state comes back at every observation of the monitor and every row of the "
+           .help = "where the steps are taken; \"auto\" takes a GPU if there is one; the state comes back at every "
+                   "observation of the monitor and every row of the "
                    "history"},
           {.key = "devices",
            .type = T::numbers,
@@ -319,7 +317,7 @@ void addIntegrator(std::vector<SceneKey>& all) {
            .range = notNegative,
            .help =
                "GPUs that share the steps, by CUDA's numbers; [] takes all of the machine. The results are those of "
-               "one, to the last bit. Handlers take one"},
+               "one, to the last bit"},
           {.key = "safety",
            .type = T::number,
            .fallback = "0.95",
@@ -346,8 +344,7 @@ void addDamping(std::vector<SceneKey>& all) {
           {.key = "bulk_viscosity",
            .type = T::boolean,
            .fallback = "false",
-           .help = "a viscous pressure in every element, as Abaqus/Explicit has it unless told otherwise; with "
-                   "symplectic-euler and verlet, without handler, cuts and GPU"},
+           .help = "a viscous pressure in every element, as Abaqus/Explicit has it unless told otherwise"},
           {.key = "linear_bulk_viscosity",
            .type = T::number,
            .fallback = "0.06",
@@ -510,8 +507,7 @@ void addTable(std::vector<SceneKey>& all, std::string_view section, std::string_
            .type = T::numbers,
            .unit = "s",
            .range = notNegative,
-           .help = "times of a table, increasing; before the first and after the last its factor stays. With "
-                   "integrators of one force a step, without handler, cuts and GPU"},
+           .help = "times of a table, increasing; before the first and after the last its factor stays"},
           {.key = "factors", .type = T::numbers, .help = fmt::format("of the {}, at these times", what)},
           {.key = "ramp",
            .type = T::text,
@@ -563,7 +559,7 @@ void addMotionAndLoads(std::vector<SceneKey>& all) {
            .type = T::vector,
            .unit = "rad/s",
            .help = "rotation about an axis of this direction that stays, exact at the ends of steps; the table is its "
-                   "factor too. With integrators of one force a step, without handler, cuts and GPU"},
+                   "factor too"},
           {.key = "point", .type = T::vector, .unit = "m", .fallback = "[0.0, 0.0, 0.0]", .help = "on the axis"},
           {.key = "components",
            .type = T::text,
@@ -588,8 +584,7 @@ void addMotionAndLoads(std::vector<SceneKey>& all) {
         .type = T::number,
         .unit = "Pa",
         .required = true,
-        .help = "on the faces all of whose corners are selected, inwards where > 0. With integrators of one force a "
-                "step, without handler, cuts and GPU"}});
+        .help = "on the faces all of whose corners are selected, inwards where > 0"}});
 }
 
 void addDiscrete(std::vector<SceneKey>& all) {
@@ -613,7 +608,7 @@ void addDiscrete(std::vector<SceneKey>& all) {
         .unit = "1/s",
         .required = true,
         .range = notNegative,
-        .help = "force = -rate x mass x velocity, of each node; with symplectic-euler and verlet"}});
+        .help = "force = -rate x mass x velocity, of each node"}});
   addNodes(all, "rigid");
   add(all, "rigid",
       {{.key = "name", .type = T::text, .help = "for [[probe]]; without, \"rigid N\", N counted from 0"}});
@@ -639,7 +634,7 @@ void addDiscrete(std::vector<SceneKey>& all) {
            .unit = "N s/m",
            .fallback = "0.0",
            .range = notNegative,
-           .help = "of the dashpot beside it; with symplectic-euler and verlet"},
+           .help = "of the dashpot beside it"},
           {.key = "direction",
            .type = T::vector,
            .help = "in which alone a spring to the ground acts; without, it acts in all"},
@@ -722,12 +717,12 @@ void addDiscrete(std::vector<SceneKey>& all) {
            .type = T::number,
            .fallback = "0.0",
            .range = notNegative,
-           .help = "share of the critical damping of a node on its penalty; with symplectic-euler and verlet"},
+           .help = "share of the critical damping of a node on its penalty"},
           {.key = "friction",
            .type = T::number,
            .fallback = "0.0",
            .range = notNegative,
-           .help = "Coulomb's coefficient; with symplectic-euler and verlet"},
+           .help = "Coulomb's coefficient"},
           {.key = "slip",
            .type = T::numberOrAuto,
            .unit = "m/s",
@@ -873,7 +868,7 @@ void addOutput(std::vector<SceneKey>& all) {
            .unit = "s",
            .range = positive,
            .help = "time between checkpoints, from the last of which `ringwatch run --resume DIR` goes on, bit by bit "
-                   "as the run would have; with explicit integrators of fixed order, without handler, cuts and GPU. A "
+                   "as the run would have. A "
                    "signal that stops such a run leaves one too"},
           {.key = "history_every",
            .type = T::integer,
@@ -1000,7 +995,7 @@ std::string sceneOverview() {
     text += fmt::format("  {:<26} {}{}\n", headOf(section), section.help, section.required ? " (required)" : "");
   return text +
          "\nringwatch help scene SECTION lists the keys of one, such as ringwatch help scene contact; ringwatch run "
-         "--help-scene lists all.\n";
+         "--help-scene lists all. ringwatch help together says what does not go together.\n";
 }
 
 }  // namespace ringwatch

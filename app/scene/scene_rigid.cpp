@@ -118,22 +118,6 @@ std::optional<Scene::Guide> guideOf(const SceneTable& section, const std::array<
   return guide;
 }
 
-void checkRigidBodies(Scene& scene) {
-  if (scene.rigids.empty()) return;
-  const auto refuse = [&](const std::string& what) {
-    throw InputError(fmt::format("{}: {}", scene.rigids.front().origin, what));
-  };
-  const auto takes = [](const IntegratorInfo& info) { return info.drifts; };
-  if (!takes(*integratorCatalog().find(scene.method)))
-    refuse(fmt::format("\"{}\" takes no rigid bodies, whose nodes do not move along straight lines; {} do",
-                       scene.method, namesWhere(integratorInfos(), takes)));
-  if (!scene.handler.empty()) refuse("handlers take no rigid bodies; set handler.method = \"none\"");
-  if (!scene.cuts.empty()) refuse("rigid bodies do not go with [[cut]]; remove one of them");
-  if (scene.certificates) refuse("certificates in files know no rigid bodies; take monitor.certificates out");
-  if (scene.device == RunDevice::cuda) refuse("a GPU takes no rigid bodies; set integrator.device = \"cpu\"");
-  if (scene.device == RunDevice::automatic) scene.noDevice = "a GPU takes no rigid bodies";
-}
-
 void splitRigidBlocks(const Scene& scene, Mesh& mesh, std::vector<Material>& materials) {
   if (scene.rigids.empty()) return;
   constexpr int none = -1;

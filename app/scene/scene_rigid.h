@@ -10,8 +10,6 @@ namespace ringwatch {
 
 /// Reads the [[rigid]] of a scene, before what names them. Throws InputError.
 void readRigidSections(const std::vector<SceneTable>& sections, Scene& scene);
-/// Throws InputError for what rigid bodies do not go with, when all of it is read.
-void checkRigidBodies(Scene& scene);
 /// How a [[fix]] or [[move]] takes the rigid body that it names, and the nodes of that; empty where it names none.
 /// Throws InputError for a body that there is not or that another section takes, and for keys that do not fit.
 std::optional<Scene::Guide> guideOf(const SceneTable& section, const std::array<bool, 3>& components,

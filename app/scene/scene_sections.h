@@ -15,13 +15,4 @@ NodeSelection selectionOf(const SceneTable& section, const std::string& prefix =
 /// The table of time of a section that takes one, where it has one.
 std::optional<TimeTable> tableOf(const SceneTable& section, Scene& scene);
 
-/// "verlet and symplectic-euler": the names of the entries that have a trait.
-template <class Infos, class Trait>
-std::string namesWhere(const Infos& infos, const Trait& trait) {
-  std::vector<std::string_view> names;
-  for (const auto& info : infos)
-    if (trait(info)) names.push_back(info.name);
-  return fmt::format("{}", fmt::join(names, " and "));
-}
-
 }  // namespace ringwatch

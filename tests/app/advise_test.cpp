@@ -155,7 +155,8 @@ TEST_F(Program, RefusesToAdviseWhatNoHandlerTakes) {
   expectRefused("advise tiny.toml --step 0", "--step: \"0\"");
   expectRefused("advise tiny.toml --step 4e-3 --time 1e-3", "--time: 0.001 s is less than one step of 0.004 s");
   expectRefused("advise tiny.toml --step 0.1", "integrator.end: 0.05 s is less than one step of 0.1 s");
-  expectRefused("advise tiny.toml --step 4e-3 --set integrator.method=rk4", "takes no handler");
+  expectRefused("advise tiny.toml --step 4e-3 --set integrator.method=rk4",
+                "it takes no handler; choose from symplectic-euler and verlet");
   expectRefused("advise tiny.toml --set integrator.step=\"auto\"", "give the step that you want with --step");
   expectRefused("advise tiny.toml --step 4e-3 --set move.0.velocity=\"[0, 0, 0]\"", "nothing moves in");
 }

@@ -574,21 +574,6 @@ TEST_F(Contact, RefusesWhatCannotBe) {
   refuse("[[spring]]\nwhere = \"all\"\nstiffness = 1\nto_where = \"all\"\ndirection = [1, 0, 0]\n",
          "spring.direction: a spring between two nodes acts along their line");
   refuse("[[mass]]\nwhere = \"all\"\nmass = 0\n", "mass.mass: 0 is out of range; must be > 0 kg");
-  const std::string spring = "[[spring]]\nwhere = \"all\"\nstiffness = 1\n", dashpot = spring + "damping = 1\n";
-  refuse(dashpot, "with damping or friction the bracket is proven for symplectic-euler and verlet only",
-         "--set integrator.method=rk4");
-  refuse(spring, "\"implicit-euler\" takes no springs and contact", "--set integrator.method=implicit-euler");
-  refuse(spring, "handlers do not work with springs and contact; set handler.method = \"none\"",
-         "--set handler.method=mass-scaling");
-  refuse(spring, "certificates in files know no springs and contact", "--set monitor.certificates=1");
-  refuse(spring, "a GPU takes no springs and contact",
-         "--set integrator.device=cuda --set integrator.method=symplectic-euler");
-  refuse(std::string(floor) + contact() +
-             "[[obstacle]]\nkind = \"box\"\npoint = [3, 3, 3]\nsize = [1, 1, 1]\n"
-             "velocity = [1, 0, 0]\n",
-         "\"rk4\" takes no moving obstacles", "--set integrator.method=rk4");
-  folder_.write("scene.toml", cube + spring);
-  expectRefused("compare scene.toml --integrators verlet", "[[spring]]: compare takes no springs and contact");
 }
 
 /// A key of a scene as it ought to be refused, apart from the program's own table.

@@ -519,18 +519,6 @@ TEST_F(DampedScene, InspectAndSuggestFindTheOneCriticalStep) {
 }
 
 TEST_F(DampedScene, RefusesWhatDoesNotGoTogether) {
-  const std::string bulk = sceneOf("", "bulk_viscosity = true"), viscous = sceneOf("shear_viscosity = 1", "");
-  const auto key = [](const char* name) { return std::string(name) + ": "; };
-  refuse(bulk, key("damping.bulk_viscosity") + "\"rk4\": elements damp with symplectic-euler and verlet only",
-         "--set integrator.method=rk4");
-  refuse(viscous, key("material.shear_viscosity") + "\"implicit-euler\": elements damp with",
-         "--set integrator.method=implicit-euler");
-  refuse(viscous, "handlers do not work with elements that damp", "--set handler.method=imex");
-  refuse(bulk, "handlers do not work with elements that damp", "--set handler.method=mass-scaling");
-  refuse(bulk, "a GPU takes no elements that damp", "--set integrator.device=cuda");
-  refuse(bulk, "certificates in files know no damping", "--set monitor.certificates=1");
-  refuse(bulk + "[[cut]]\ntime = 0.01\npoint = [0.1, 0, 0]\nnormal = [1, 0, 0]\n",
-         "elements that damp do not go with [[cut]]");
   refuse(sceneOf("", "quadratic_bulk_viscosity = 1"),
          "damping.quadratic_bulk_viscosity: goes with bulk_viscosity = true");
   std::string rubber = sceneOf("stiffness_damping = 1\nc10 = 1\nc20 = 0\nc30 = 0\nbulk = 10", "");
@@ -577,15 +565,6 @@ TEST_F(DampedScene, HourglassControlIsRefusedWhereItDoesNotFit) {
     refuse(
         sceneOf(std::string(key) + " = 0.1", ""),
         std::string("material.") + key + ": goes with a rule of uniform strain; set rules = [\"hex8=uniform-strain\"]");
-  refuse(uniformStrain(sceneOf("", "")), "a GPU takes no rule of uniform strain", "--set integrator.device='\"cuda\"'");
-}
-
-TEST_F(DampedScene, OtherCommandsRefuseIt) {
-  folder_.write("scene.toml", sceneOf("", "bulk_viscosity = true"));
-  expectRefused("compare scene.toml --integrators verlet --out c", "compare takes no elements that damp");
-  expectRefused("advise scene.toml", "advise takes no elements that damp");
-  expectRefused("scale-mass scene.toml --step 1e-3", "scale-mass takes no elements that damp");
-  expectRefused("suggest scene.toml --frame 0.1 --stretch 0.9:1.1", "--stretch takes no elements that damp");
 }
 
 TEST_F(DampedScene, RefusesEveryKeyByTypeRangeAndName) {

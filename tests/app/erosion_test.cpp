@@ -445,24 +445,11 @@ TEST_F(Erosion, IsRefusedWithWhatItDoesNotGoWith) {
     expectRefused("run scene.toml --out bad " + options, what);
     EXPECT_FALSE(exists("bad"));
   };
-  refused("--set handler.method=imex", "[erosion]: does not go with a handler");
-  refused("--set output.checkpoint_every=0.01", "[erosion]: does not go with output.checkpoint_every");
-  refused("--set monitor.certificates=5", "certificates along a run are of one body, and [erosion] changes it");
-  refused("--set integrator.device=cuda", "a GPU takes no erosion");
-  refused("--set integrator.method=implicit-euler", "[erosion]: does not go with \"implicit-euler\"");
   refused("--set erosion.max_stretch=1", "must be > 1");
   refused("--set erosion.least_step=-1", "must be > 0");
   refused("--set erosion.max_strech=2", "did you mean \"max_stretch\"?");
   folder_.write("scene.toml", std::string(tiny) + "[erosion]\nevery = 3\n");
   refused("", "[erosion]: there is no criterion; give inverted = true");
-  folder_.write(
-      "scene.toml",
-      std::string(tiny) + "[erosion]\ninverted = true\n[[pressure]]\nwhere = \"x > 0.1 - 1e-6\"\npressure = 1\n");
-  refused("", "does not go with [[pressure]]");
-  folder_.write("scene.toml",
-                std::string(tiny) +
-                    "[erosion]\ninverted = true\n[[cut]]\ntime = 0.01\npoint = [0.05, 0, 0]\nnormal = [1, 0, 0]\n");
-  refused("", "does not go with [[cut]]");
 }
 
 // All elements behind a plane go; their nodes are left on springs, h = 2 √(m/k), and no element proves more.

@@ -208,14 +208,6 @@ TEST_F(Loads, RefuseWhatMakesNoSense) {
   refuse(force + "times = [-1, 1]\nfactors = [1, 2]\n", "force.times: -1 is out of range; must be >= 0 s");
   refuse(force + "times = 3\nfactors = [1, 2]\n", "force.times: the number 3 where a list of numbers is needed");
   refuse(force + table + "ramp = \"smoth\"\n", "did you mean \"smooth\"?");
-  refuse(force + table, "\"rk4\" takes no tables of time; ", "--set integrator.method=rk4");
-  refuse(force + table, "handlers take no tables of time", "--set handler.method=imex");
-  refuse(force + table + "[[cut]]\ntime = 0.01\npoint = [0,0,0]\nnormal = [1,0,0]\n",
-         "tables of time do not go with [[cut]]");
-  refuse(force + table, "a GPU takes no tables of time",
-         "--set integrator.device=cuda --set integrator.method=symplectic-euler");
-  folder_.write("scene.toml", bar + force + table);
-  expectRefused("compare scene.toml", "compare takes no tables of time");
   refuse("[[initial]]\nwhere = \"all\"\n",
          "initial.velocity: missing; give velocity (m/s) or angular_velocity (rad/s)");
   refuse("[[initial]]\nwhere = \"x > 9\"\nvelocity = [1, 0, 0]\n", "\"x > 9\" selects no node");

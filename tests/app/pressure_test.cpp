@@ -139,8 +139,6 @@ TEST_F(Pressed, RefusesWhatCannotBe) {
   refuse("[[pressure]]\nwhere = \"x > 5\"\npressure = 1\n", "pressure.where: \"x > 5\" selects no node");
   refuse("[[pressure]]\nset = \"x-mni\"\npressure = 1\n", "did you mean \"x-min\"?");
   refuse("[[pressure]]\nwhere = \"all\"\n", "pressure.pressure: missing; give a number in Pa");
-  refuse("[[pressure]]\nwhere = \"all\"\npressure = 1\n", "\"rk4\" takes no pressures", "--set integrator.method=rk4");
-  refuse("[[pressure]]\nwhere = \"all\"\npressure = 1\n", "handlers take no pressures", "--set handler.method=imex");
   refuse("[[move]]\nwhere = \"all\"\n",
          "move.velocity: missing; give velocity (m/s), angular_velocity (rad/s) or displacement (m)");
   refuse("[[move]]\nwhere = \"all\"\nvelocity = [0, 0, 0]\npoint = [1, 0, 0]\n",

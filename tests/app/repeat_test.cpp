@@ -197,8 +197,6 @@ TEST_F(Repeats, GoOnBehindASignal) {
 TEST_F(Repeats, AreRefusedWhereNothingCanGoBack) {
   const std::string run = "run tiny.toml --set monitor.on_violation=repeat --set ";
   expectRefused(run + "integrator.step=auto", "monitor.on_violation: \"repeat\" is for a step that is given");
-  expectRefused(run + "handler.method=imex", "\"repeat\" has no state to go back to: the handler \"imex\"");
-  expectRefused(run + "output.checkpoint_every=0.01", "\"repeat\" goes without checkpoints along the run");
   expectRefused(run + "monitor.mode=metric --set monitor.metric=pressure-wave",
                 "\"repeat\" goes back to certified states");
   expectRefused("run tiny.toml --set monitor.repeats=3", "monitor.repeats: is for on_violation = \"repeat\"");

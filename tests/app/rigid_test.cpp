@@ -229,8 +229,6 @@ TEST_F(Rigid, RefusesWhatItDoesNotGoWith) {
     expectRefused("run bad.toml --out bad " + arguments, what);
     EXPECT_FALSE(exists("bad/history.csv"));
   };
-  refused(base, "--set integrator.method=rk4", "\"rk4\" takes no rigid bodies");
-  refused(base + "[handler]\nmethod = \"imex\"\n", "", "handlers take no rigid bodies");
   refused(base + "[[fix]]\nwhere = \"x > 0.12 - 1e-6\"\n", "",
           "rigid.where: 9 of its 45 nodes have a motion that a [[fix]] or [[move]] prescribes, the first is");
   refused(base + "[[rigid]]\nname = \"tip\"\nwhere = \"x > 0.11\"\n", "",
@@ -250,9 +248,6 @@ TEST_F(Rigid, RefusesWhatItDoesNotGoWith) {
   refused(base + "[[probe]]\nwhat = \"force\"\nwhere = \"x > 0\"\n", "", "\"force\" is of a rigid body; give rigid");
   refused(test::tiny + std::string("[[probe]]\nwhat = \"torque\"\n"), "",
           "\"torque\" is of a [[rigid]]; there is none");
-  folder_.write("scene.toml", base);
-  expectRefused("compare scene.toml --integrators verlet", "compare takes no rigid bodies");
-  expectRefused("scale-mass scene.toml --step 3e-4", "scale-mass takes no rigid bodies");
 }
 
 /// The bar with the rigid head, and what holds or moves the head.

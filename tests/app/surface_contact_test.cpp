@@ -400,8 +400,6 @@ TEST_F(SurfaceContactRuns, WhatDoesNotGoTogetherIsRefused) {
   refuse(own + "edge_angle = 30\n", "contact.edge_angle: needs edges = true");
   refuse(own + "edges = true\nedge_angle = 180\n", "180 is out of range; must be > 0 and < 180 degrees");
   refuse("[[contact]]\nedges = true\n", "contact.edges: needs with = \"surface\"; obstacles have no edges");
-  refuse(own + "[handler]\nmethod = \"imex\"\n", "handlers do not work with springs and contact");
-  refuse(own, "takes no springs and contact", "--set integrator.method=implicit-euler");
   refuse(own + "[[obstacle]]\nkind = \"plane\"\nnormal = [0, 0, 1]\npoint = [0, 0, -1]\n",
          "there is no [[contact]] with it");
 }

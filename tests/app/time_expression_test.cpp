@@ -213,8 +213,6 @@ TEST_F(Expressions, AreRefusedInOneLine) {
   refused("displacement = [1, 0, 0]\ntimes = [0, 1]\nfactors = [0, 1]\nramp = \"hold\"\n",
           "would make a displacement jump");
   refused("displacement = [1, 0, 0]\nfactor = \"t\"\n[[fix]]\nwhere = \"x > 0.2 - 1e-6\"\n", "prescribe the motion");
-  refused("velocity = [1, 0, 0]\nfactor = \"t\"\n[handler]\nmethod = \"imex\"\n",
-          "handlers take no expressions of time");
 }
 
 }  // namespace

@@ -110,4 +110,4 @@ expect 2 "$ringwatch" run run.toml --out other --set monitor.certificates=0
 expect 2 "$ringwatch" run run.toml --out other --set monitor.mode=metric --set monitor.metric=single-element
 [[ $out == *"monitor.certificates: certificates are of what is proven"* && ! -e other ]] || fail "$out"
 expect 2 "$ringwatch" run run.toml --out other --set handler.method=imex
-[[ $out == *"monitor.certificates: certificates are of the whole body"* ]] || fail "$out"
+[[ $out == *"certificates are of the whole body"* ]] || fail "$out"
