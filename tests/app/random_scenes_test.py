@@ -2,8 +2,8 @@
 
   random_scenes_test.py PROGRAM [--scenes N] [--seed S] [--keep FOLDER]
 
-Scenes take turns with the pairs of FEATURES, and draw others beside. Of each: the program ends with a known exit status; what it refuses is
-one line, and it leaves nothing behind; what it runs has a summary, no error ends it, and each feature has acted where it reaches its end;
+Scenes take turns with the pairs of FEATURES, and draw others beside. Of each: the program ends with a known exit status; it refuses what its
+table does, in one line that names two that do not go together, and leaves nothing behind; what it runs has a summary, no error ends it, and each feature has acted where it reaches its end;
 safe <= optimistic in every row; *stable* in the summary is exit status 0; two threads give the bytes of one; a run that is killed or stopped
 at a random moment and resumed with two threads gives the bytes of the one that was not. Scenes that fail are kept in FOLDER.
 """
@@ -24,18 +24,22 @@ import time
 
 # A scene takes far below a second; a machine may be busy.
 SECONDS = 300
-# How often features are left as they were drawn, although the program refuses them together.
+# How often a feature is drawn although it does not go with others.
 UNFITTED = 0.1
 ELASTIC = ["stvk", "neo-hookean", "corotational", "linear", "stable-neo-hookean"]
 RUBBERS = {"mooney-rivlin": {"c10": 1e5, "c01": 2e4, "bulk": 2e6}, "yeoh": {"c10": 1e5, "c20": -1e3, "c30": 1e3, "bulk": 2e6}}
 HANDLERS = ["local-time-stepping", "imex", "fe-pbd", "modal-filter", "mass-scaling"]
 QUADRATIC = ["tet10", "hex20"]
-ONE_FORCE = ["symplectic-euler", "verlet"]
-NOT_WITH_HANDLERS = ["contact", "obstacle", "spring", "pressure", "rigid", "erosion", "cut", "mass_damping"]
-# What must act, each with how often it is drawn beside the pair of a scene.
-FEATURES = {"erosion": 0.1, "cut": 0.1, "surfaces": 0.2, "obstacle": 0.3, "certificates": 0.15, "damping": 0.2, "material damping": 0.15,
-            "checkpoints": 0.4, "spring": 0.15, "handler": 0.2}
+METHODS = [*5 * ["symplectic-euler", "verlet"], "rkn4", "pefrl", "yoshida4", "rk4"]
+# Of the program's table of what goes together, with how often each is drawn beside the pair of a scene.
+FEATURES = {"handlers": 0.05, "loads and motions that change in time": 0.1, "pressures": 0.05, "springs and contact": 0.1, "surfaces in contact": 0.1,
+            "moving obstacles": 0.1, "dashpots and friction": 0.05, "elements that damp": 0.1, "proofs with Rayleigh damping": 0.1, "rigid bodies": 0.1, "cuts": 0.05,
+            "elements that erode": 0.1, "rules of uniform strain": 0.05, "laws without young and poisson": 0.1, "whole masses of nodes": 0.05, "certificates along a run": 0.1,
+            "runs that go back": 0.05, "steps that are reduced": 0.1, "steps that are held": 0.05, "checkpoints": 0.2, "frames between steps": 0.1,
+            "probes": 0.1, "reactions": 0.1, "metrics": 0.1, "budgets of the monitor": 0.2}
 PAIRS = list(itertools.combinations(FEATURES, 2))
+# Ways to answer a violation, of which a scene has one.
+ON_VIOLATION = {"runs that go back": "repeat", "steps that are reduced": "reduce-step"}
 LISTS = ["fix", "move", "initial", "force", "pressure", "mass", "mass_damping", "rigid", "spring", "obstacle", "contact", "cut", "probe"]
 
 
@@ -50,13 +54,35 @@ def value_text(value):
 class Drawn:
     """A scene as it is drawn: tables of each name."""
 
-    def __init__(self, seed):
+    def __init__(self, seed, table):
         self.random = random.Random(seed)
         self.tables = collections.defaultdict(list)
-        self.features = {name for name, share in FEATURES.items() if name in PAIRS[seed % len(PAIRS)] or self.chance(share)}
+        self.table = table
+        self.pair = PAIRS[seed % len(PAIRS)]
+        self.features = set(self.pair)
+        for name in self.random.sample(list(FEATURES), len(FEATURES)):
+            if self.chance(FEATURES[name]) and (self.chance(UNFITTED) or self.fits(name)):
+                self.features.add(name)
+        methods = [name for name in METHODS if not any(name in table[feature]["not_by"] for feature in self.features)]
+        self.method = self.one_of(*METHODS) if self.chance(UNFITTED) or not methods else self.one_of(*methods)
         self.draw()
-        if not self.chance(UNFITTED):
-            self.fit()
+
+    def fits(self, name):
+        """Whether a feature goes with those that the scene has."""
+        return name not in self.features and self.features.isdisjoint(self.table[name]["not_with"]) and \
+            not (name in ON_VIOLATION and self.features & set(ON_VIOLATION))
+
+    def refused(self):
+        """What the table refuses of the scene, as pairs of names."""
+        return [(name, other) for name in self.features for other in [*self.table[name]["not_with"], *self.table[name]["not_by"]]
+                if other in self.features or other == self.method]
+
+    def words(self, name):
+        """What a refusal may call a feature or an integrator."""
+        return {name, self.table[name]["part_of"] if name in self.table else name}
+
+    def has(self, *names):
+        return not self.features.isdisjoint(names)
 
     def chance(self, share):
         return self.random.random() < share
@@ -69,10 +95,9 @@ class Drawn:
 
     def mesh(self):
         element = self.one_of("tet4", "tet4", "hex8", "wedge6", "pyramid5", "tet10", "hex20")
-        if "cut" in self.features:
-            element = "tet4"
+        element = "tet4" if self.has("cuts") else "hex8" if self.has("rules of uniform strain") else element
         cells, jitter = self.one_of(1, 2) if element in QUADRATIC else self.one_of(2, 3), self.one_of(0.0, 0.2)
-        kind = "stack" if "surfaces" in self.features else self.one_of("bar", "bar", "cube")
+        kind = "stack" if self.has("surfaces in contact") else self.one_of("bar", "bar", "cube")
         if kind == "bar":
             self.add("mesh", generate=kind, element=element, size=[0.2, 0.1, 0.1], cells=[2 * cells, cells, cells], jitter=jitter)
         elif kind == "cube":
@@ -80,162 +105,82 @@ class Drawn:
         else:
             self.add("mesh", generate=kind, element=element, size=[0.2, 0.1, 0.1], cells=[4, 2, 2], upper_size=[0.1, 0.1, 0.1],
                      upper_cells=[2, 2, 2], gap=self.one_of(0.001, 0.004))
-        return kind, element
+        return kind
 
     def material(self, **place):
-        model = self.one_of(*ELASTIC, *RUBBERS)
+        model = self.one_of(*RUBBERS if self.has("laws without young and poisson") else ELASTIC)
         keys = RUBBERS.get(model) or {"young": self.one_of(3e5, 1e6), "poisson": self.one_of(0.0, 0.3, 0.45)}
         self.add("material", model=model, density=self.one_of(1000.0, 1500.0), **keys, **place,
+                 rules=["hex8=uniform-strain"] if self.has("rules of uniform strain") else None,
                  **self.one_of({"stiffness_damping": 1e-5} if "young" in keys else {"mass_damping": 5.0}, {"shear_viscosity": 1.0},
-                               {"mass_damping": 5.0}) if "material damping" in self.features else {})
+                               {"mass_damping": 5.0}) if self.has("elements that damp") else {})
 
     def draw(self):
-        kind, element = self.mesh()
-        if not self.chance(0.3):
-            self.material(rules=["hex8=uniform-strain"] if element == "hex8" and self.chance(0.3) else None)
+        kind = self.mesh()
+        if kind == "cube" or not self.chance(0.3):
+            self.material()
         elif kind == "stack":
             self.material(set="lower")
             self.material(set="upper")
         else:
-            self.material(where="x < 0.05")
-            self.material(where="x >= 0.05")
-        self.add("integrator", method=self.one_of(*5 * ONE_FORCE, "rkn4", "pefrl", "yoshida4", "rk4", "explicit-euler"),
-                 step=self.one_of(2e-5, 5e-5, 1e-4, "auto"), end=self.one_of(3e-3, 6e-3))
-        if "damping" in self.features:
-            self.add("damping", **self.one_of({"mass": 5.0}, {"stiffness": 1e-5}, {"bulk_viscosity": True}, {"mass": 2.0, "stiffness": 5e-6}))
-        mode = self.one_of("threshold", "metric") if self.chance(0.3) else None
-        self.add("monitor", on_violation=self.one_of("stop", "warn", "reduce-step", "repeat", "handle"), mode=mode,
-                 metric="pressure-wave" if mode == "metric" else None, every=self.one_of(2, 7) if self.chance(0.3) else None,
-                 budget=self.one_of(0.0, 0.1, 0.5) if self.chance(0.3) else None,
-                 certificates=self.one_of(1, 5) if "certificates" in self.features else None)
-        if "handler" in self.features:
-            self.add("handler", method=self.one_of(*HANDLERS))
-        self.supports_and_loads(kind, element)
-        self.add("output", every=1e-3, checkpoint_every=self.one_of(4e-4, 1e-3) if "checkpoints" in self.features else None,
-                 exact_times=True if self.chance(0.2) else None, history_every=5 if self.chance(0.3) else None,
-                 fields=["critical_step", "von_mises"] if self.chance(0.3) else None, picture=False)
+            self.material(where="x < 0.1")
+            self.material(where="x >= 0.1")
+        handled, held = self.has("handlers"), self.has("steps that are held")
+        steps = ["auto"] if held else [4e-4] if handled else [2e-5, 5e-5, 1e-4] + ([] if self.has("runs that go back") else ["auto"])
+        step = self.one_of(*steps)
+        self.add("integrator", method=self.method, step=step, end=self.one_of(3e-3, 6e-3), hold=True if held else None)
+        if self.has("proofs with Rayleigh damping"):
+            self.add("damping", **self.one_of({"mass": 5.0}, {"stiffness": 1e-5}))
+        metric = self.has("metrics") and step != "auto" and not handled and not self.has("certificates along a run", *ON_VIOLATION)
+        answer = [ON_VIOLATION[name] for name in ON_VIOLATION if name in self.features]
+        self.add("monitor", on_violation=answer[0] if answer else self.one_of("stop", "warn", *["handle"] * handled),
+                 mode=self.one_of("threshold", "metric") if metric else None, metric="pressure-wave" if self.has("metrics") else None,
+                 every=self.one_of(2, 7) if self.chance(0.3) else None, budget=self.one_of(0.0, 0.1, 0.5) if self.has("budgets of the monitor") else None,
+                 certificates=self.one_of(1, 5) if self.has("certificates along a run") else None)
+        if handled:
+            self.add("handler", method=self.one_of(*(["imex", "mass-scaling"] if self.has("proofs with Rayleigh damping") else HANDLERS)))
+        self.supports_and_loads(kind)
+        self.contact(kind, step)
+        self.add("output", every=1e-3, checkpoint_every=self.one_of(4e-4, 1e-3) if self.has("checkpoints") else None,
+                 exact_times=True if self.has("frames between steps") else None, history_every=5 if self.chance(0.3) else None,
+                 fields=["critical_step", "von_mises"] if self.chance(0.3) else None, picture=False, reactions=True if self.has("reactions") else None)
 
-    def supports_and_loads(self, kind, element):
-        end = 0.1 if kind == "cube" else 0.2
-        torn = "erosion" in self.features
-        if torn or self.chance(0.5):
+    def supports_and_loads(self, kind):
+        end, torn, rigid = 0.1 if kind == "cube" else 0.2, self.has("elements that erode"), self.has("rigid bodies")
+        if torn or self.has("reactions") or self.chance(0.5):
             self.add("fix", where="x < 1e-6")
-        if torn or self.chance(0.3):
-            self.add("move", where=f"x > {end} - 1e-6 and z < 0.1 + 1e-6", velocity=[self.one_of(2.0, 5.0) if torn else self.one_of(1.0, -1.0, 5.0), 0, 0],
-                     factor="sin(2*pi*100*t)" if not torn and self.chance(0.4) else None)
+        if torn or (not rigid and self.chance(0.3)):
+            self.add("move", where=f"x > {end} - 1e-6 and z < 0.1 + 1e-6", velocity=[self.one_of(2.0, 5.0) if torn else self.one_of(1.0, -1.0, 5.0), 0, 0])
         if kind == "stack":
             self.add("initial", where="z > 0.1 + 1e-6", velocity=[0, 0, -8.0])
-        elif "obstacle" in self.features or self.chance(0.4) or not ("move" in self.tables):
-            self.add("initial", where="all", velocity=[0, 0, self.one_of(-1.0, -5.0)],
-                     angular_velocity=[0, 20.0, 5.0] if self.chance(0.5) else None)
-        if self.chance(0.4):
-            self.add("force", where="all", acceleration=[0, 0, -9.81])
-        if self.chance(0.2):
+        else:
+            self.add("initial", where="all", velocity=[0, 0, self.one_of(-1.0, -5.0)], angular_velocity=[0, 20.0, 5.0] if self.chance(0.5) else None)
+        self.add("force", where="all", acceleration=[0, 0, -9.81],
+                 factor="cos(2*pi*100*t)" if self.has("loads and motions that change in time") else None)
+        if self.has("pressures"):
             self.add("pressure", where="z > 0.0999", pressure=self.one_of(1e3, 2e4))
-        if self.chance(0.2):
-            self.add("mass", where="x < 0.05", mass=0.1)
-        if self.chance(0.15):
-            self.add("mass_damping", where="x < 0.05", rate=20.0)
-        if self.chance(0.2):
-            self.add("rigid", name="head", where=self.one_of("x > 0.12", "z > 0.08", "x < 0.03"))
-            if self.chance(0.3):
-                self.add("fix", rigid="head", components=self.one_of("xyz", "xz", "y"), turns=self.one_of(True, False),
-                         axis=[0, 1.0, 0.3] if self.chance(0.3) else None)
-            elif self.chance(0.4):
-                self.add("move", rigid="head", velocity=[self.one_of(1.0, -2.0), 0, 0], components=self.one_of("xyz", "x"),
-                         factor="sin(2*pi*100*t)" if self.chance(0.4) else None, **self.one_of({}, {"turns": True}, {"angular_velocity": [0, 0, 5.0]}))
-        if "spring" in self.features:
-            self.add("spring", where="x > 0.08", stiffness=self.one_of(100.0, 1e4), damping=0.5 if self.chance(0.4) else None)
-        if "obstacle" in self.features:
-            # A block that comes down would press the one below, which rests, onto it late.
-            self.add("obstacle", kind="plane", point=[0, 0, -0.0005 if kind != "stack" else 0.0], normal=[0, 0, 1])
-            self.add("contact", friction=0.3 if self.chance(0.4) else None, damping=0.1 if self.chance(0.4) else None)
-        if "surfaces" in self.features:
-            self.add("contact", **{"with": "surface"}, friction=0.2 if self.chance(0.3) else None)
-        elif self.chance(0.1):
-            self.add("contact", **{"with": "surface"})
-        if "erosion" in self.features:
-            self.add("erosion", inverted=True, max_stretch=self.one_of(1.005, 1.02), every=self.one_of(1, 1, 4))
-        if "cut" in self.features:
+        if self.has("whole masses of nodes"):
+            self.add("mass", where="x < 0.05", nodal_mass=1.0)
+        if rigid:
+            self.add("rigid", name="head", where="x > 0.03 and x < 0.08")
+        if self.has("cuts"):
             self.add("cut", time=self.one_of(5e-4, 1e-3), point=[0.05, 0.05, 0.05], normal=[1, 0.3, 0])
-        if self.chance(0.3):
+        if torn:
+            self.add("erosion", inverted=True, max_stretch=self.one_of(1.005, 1.02), every=self.one_of(1, 1, 2))
+        if self.has("probes"):
             self.add("probe", name="all", what="displacement", where="all")
 
-    def fit(self):
-        """Takes out most of what is refused together."""
-        integrator, monitor = self.tables["integrator"][0], self.tables["monitor"][0]
-        if "handler" in self.tables:
-            self.fit_handler(integrator, monitor)
-        elif monitor["on_violation"] == "handle":
-            monitor["on_violation"] = "warn"
-        if monitor["on_violation"] == "repeat" and (integrator["step"] == "auto" or monitor.get("mode") == "metric"
-                                                    or "erosion" in self.tables or "cut" in self.tables):
-            monitor["on_violation"] = "reduce-step"
-        if monitor["on_violation"] == "repeat":
-            self.tables["output"][0].pop("checkpoint_every", None)
-        if integrator["step"] == "auto":
-            monitor.pop("mode", None)
-            monitor.pop("metric", None)
-            for contact in self.tables["contact"]:
-                contact["step"] = 5e-5
-        if integrator["method"] not in ONE_FORCE and not self.chance(0.1):
-            integrator["method"] = self.one_of(*ONE_FORCE)
-        if "erosion" in self.tables:
-            self.remove("cut", "pressure")
-            self.tables["output"][0].pop("checkpoint_every", None)
-        if "cut" in self.tables:
-            self.remove("contact", "obstacle", "spring", "pressure", "rigid", "mass_damping")
-            self.tables["output"][0].pop("checkpoint_every", None)
-        if any(name in self.tables for name in ("erosion", "handler", "contact", "spring", "mass_damping", "rigid")) or self.elements_damp() or \
-                monitor.get("mode") == "metric":
-            monitor.pop("certificates", None)
-        if "rigid" in self.tables:
-            self.remove("cut")
-            for name in ("fix", "move"):  # of nodes
-                guides = [table for table in self.tables.get(name, []) if "rigid" in table]
-                self.remove(name)
-                if guides:
-                    self.tables[name] = guides
-
-    def elements_damp(self):
-        return any(key in material for material in self.tables["material"] for key in ("stiffness_damping", "shear_viscosity", "mass_damping")) or \
-            any("bulk_viscosity" in damping for damping in self.tables.get("damping", []))
-
-    def drawn(self):
-        """The features that are still there."""
-        has = {"erosion": "erosion" in self.tables, "cut": "cut" in self.tables, "obstacle": "obstacle" in self.tables,
-               "surfaces": "surfaces" in self.features and any("with" in contact for contact in self.tables.get("contact", [])),
-               "certificates": "certificates" in self.tables["monitor"][0], "damping": "damping" in self.tables,
-               "material damping": self.elements_damp(), "spring": "spring" in self.tables, "handler": "handler" in self.tables,
-               "checkpoints": "checkpoint_every" in self.tables["output"][0]}
-        return {name for name in self.features if has[name]}
-
-    def fit_handler(self, integrator, monitor):
-        self.remove(*NOT_WITH_HANDLERS)
-        integrator["method"] = self.one_of(*ONE_FORCE)
-        if integrator["step"] != "auto":
-            integrator["step"] = 4e-4
-        if self.tables["handler"][0]["method"] in ("fe-pbd", "modal-filter"):
-            self.remove("damping")
-        for key in ("stiffness_damping", "shear_viscosity", "mass_damping"):
-            for material in self.tables["material"]:
-                material.pop(key, None)
-        for damping in self.tables.get("damping", []):
-            damping.pop("bulk_viscosity", None)
-        if not any(self.tables.get("damping", [])):
-            self.remove("damping")
-        for move in self.tables["move"]:
-            move.pop("factor", None)
-        self.tables["output"][0].pop("checkpoint_every", None)
-        if monitor["on_violation"] in ("reduce-step", "repeat"):
-            monitor["on_violation"] = "warn"
-        if monitor.get("mode") == "metric":
-            monitor.pop("mode")
-            monitor.pop("metric")
-
-    def remove(self, *names):
-        for name in names:
-            self.tables.pop(name, None)
+    def contact(self, kind, step):
+        damped = self.has("dashpots and friction")
+        if self.has("springs and contact") or (damped and not self.has("moving obstacles", "surfaces in contact")):
+            self.add("spring", where="x > 0.08", stiffness=self.one_of(100.0, 1e4), damping=0.5 if damped else None)
+        settings = {"friction": 0.3 if damped else None, "damping": 0.1 if damped else None, "step": 5e-5 if step == "auto" else None}
+        if self.has("moving obstacles"):
+            # A block that comes down would press the one below, which rests, onto it late.
+            self.add("obstacle", kind="plane", point=[0, 0, -0.0005 if kind != "stack" else 0.0], normal=[0, 0, 1], velocity=[0, 0, 1.0])
+            self.add("contact", **settings)
+        if self.has("surfaces in contact"):
+            self.add("contact", **{"with": "surface"}, **settings)
 
     def text(self):
         lines = []
@@ -249,11 +194,12 @@ class Drawn:
 class Trial:
     """The runs of one scene in one folder."""
 
-    def __init__(self, program, folder, seed):
+    def __init__(self, program, folder, seed, table):
         self.program, self.folder, self.seed = program, folder, seed
         self.resumed = False
-        scene = Drawn(seed)
-        self.features = scene.drawn()
+        scene = Drawn(seed, table)
+        self.features = scene.features
+        self.refused = [(scene.words(name), scene.words(other)) for name, other in scene.refused()]
         self.acted = set()
         (folder / "scene.toml").write_text(scene.text())
 
@@ -273,7 +219,8 @@ class Trial:
             return self.faults_of_refusal(whole), 2
         if whole.returncode not in (0, 1, 3):
             return [f"exit status {whole.returncode}: {whole.stderr[-300:]}"], whole.returncode
-        found = self.faults_of_results(whole.returncode)
+        found = [f"the table refuses {self.refused}"] if self.refused else []
+        found += self.faults_of_results(whole.returncode)
         other = self.run(2, "scene.toml", "--out", "two")
         found += [f"two threads: {what}" for what in self.differences("two", whole.returncode, other)]
         return found + self.faults_of_resumption(whole.returncode, seconds), whole.returncode
@@ -281,6 +228,8 @@ class Trial:
     def faults_of_refusal(self, outcome):
         lines = outcome.stderr.strip().splitlines()
         found = [] if len(lines) == 1 else [f"a refusal of {len(lines)} lines: {outcome.stderr[:300]}"]
+        if not any(all(any(word in outcome.stderr for word in words) for words in pair) for pair in self.refused):
+            found.append(f"refused, and not for any of {self.refused}: {outcome.stderr[:300]}")
         folder = self.folder / "one"
         if folder.exists() and any(folder.iterdir()):
             found.append(f"left files behind: {outcome.stderr[:200]}")
@@ -309,11 +258,16 @@ class Trial:
     def acting(self, summary, last):
         """The features that have left a trace in the results."""
         # A short run may have a row of its start alone.
-        damped = float(last["dissipated_J"] or 0) > 0 or last["step"] == "0"
-        forces, erosion = summary["discrete_forces"] or {}, summary["erosion"] or {}
-        traces = {"erosion": erosion.get("elements"), "cut": summary["cuts"], "surfaces": forces.get("most_touching"), "obstacle": forces.get("most_touching"),
-                  "certificates": any(name.startswith("certificates") for name in summary["files"]), "damping": damped,
-                  "material damping": damped, "checkpoints": True, "spring": bool(forces), "handler": summary["handler"]}
+        begins = last["step"] == "0"
+        damped, worked = float(last["dissipated_J"] or 0) > 0 or begins, float(last["external_work_J"] or 0) != 0 or begins
+        forces, erosion, files = summary["discrete_forces"] or {}, summary["erosion"] or {}, summary["files"]
+        touched = forces.get("most_touching") or begins
+        traces = {"handlers": summary["handler"], "loads and motions that change in time": worked, "pressures": worked, "springs and contact": forces,
+                  "surfaces in contact": touched, "moving obstacles": touched, "dashpots and friction": damped, "elements that damp": damped,
+                  "proofs with Rayleigh damping": damped, "cuts": summary["cuts"], "elements that erode": erosion.get("elements"),
+                  "certificates along a run": any(name.startswith("certificates") for name in files), "runs that go back": summary["repeats"] is not None,
+                  "probes": "probes.csv" in files, "reactions": "probes.csv" in files, "metrics": last["metric_step_s"]}
+        traces |= {name: True for name in FEATURES if name not in traces}  # it leaves no trace of its own
         return {name for name, trace in traces.items() if trace}
 
     def differences(self, folder, status, outcome):
@@ -351,11 +305,13 @@ def main():
     parser.add_argument("--seed", type=int, default=1, help="of the first scene (1)")
     parser.add_argument("--keep", type=pathlib.Path, help="folder for scenes that fail")
     options = parser.parse_args()
+    schema = subprocess.run([options.program, "schema", "scene"], stdout=subprocess.PIPE, text=True, check=True).stdout
+    table = json.loads(schema)["x-capabilities"]
     statuses, resumed, failed = collections.Counter(), 0, 0
     acted = collections.Counter()
     for seed in range(options.seed, options.seed + options.scenes):
         with tempfile.TemporaryDirectory() as folder:
-            trial = Trial(options.program, pathlib.Path(folder), seed)
+            trial = Trial(options.program, pathlib.Path(folder), seed, table)
             faults, status = trial.faults()
             statuses[status] += 1
             resumed += trial.resumed
