@@ -363,7 +363,8 @@ std::string summaryText(const Scene& scene, const Body& body, const RunResult& r
                 : fmt::format("steps {:.6g} to {:.6g} s, ", result.smallestStep, result.largestStep);
   text += fmt::format("verdict {}", result.verdict());
   if (result.watchedSteps > 0)
-    text += fmt::format(", certified at {} of {} steps", result.certifiedSteps, result.watchedSteps);
+    text += fmt::format(", certified at {} of {} steps{}", result.certifiedSteps, result.watchedSteps,
+                        scene.every > 1 ? fmt::format(", of which one in {} is observed", scene.every) : "");
   if (result.repeats && result.repeats->count > 0)
     text += fmt::format(", after going back {} time{}, by {} steps", result.repeats->count,
                         result.repeats->count == 1 ? "" : "s", result.repeats->droppedSteps);
@@ -377,10 +378,11 @@ std::string summaryText(const Scene& scene, const Body& body, const RunResult& r
     text += "\n";
   }
   for (const CutRecord& cut : result.cuts) {
-    text += fmt::format(
-        "cut at t = {:.6g} s: {} of {} elements cut, {} now; they leave a critical step of at most {:.4g} s", cut.time,
-        cut.elementsCut, cut.elementsBefore, cut.elementsAfter, cut.atMost);
-    if (cut.before && cut.after)
+    text += fmt::format("cut at t = {:.6g} s: {} of {} elements cut, {} now", cut.time, cut.elementsCut,
+                        cut.elementsBefore, cut.elementsAfter);
+    // An implicit scheme has no critical step.
+    if (std::isfinite(cut.atMost)) text += fmt::format("; they leave a critical step of at most {:.4g} s", cut.atMost);
+    if (std::isfinite(cut.atMost) && cut.before && cut.after)
       text += fmt::format(", that of all is {:.4g} s, before {:.4g} s", cut.after->safe, cut.before->safe);
     if (result.handler)
       text += fmt::format("; {} handled, {} before, {} examined in {:.3g} ms", cut.handledAfter, cut.handledBefore,

@@ -431,7 +431,14 @@ class DynaReader : DeckWriter {
     return isOther;
   }
 
-  void partSet() { partSets_.insert(card(0).id(0, "SID")); }
+  void partSet() {
+    partSets_.insert(card(0).id(0, "SID"));
+    if (keyword_.name.ends_with("_GENERATE")) return;
+    for (std::size_t i = 1; i < cardCount(); ++i)
+      for (std::size_t field = 0; field < card(i).size(); ++field)
+        if (const std::int64_t part = card(i).whole(field, "PID"); part != 0)
+          later_.push_back([this, part, at = card(i).position()] { requirePart(part, at); });
+  }
 
   // What is held, moved and loaded.
 

@@ -217,6 +217,10 @@ void readIntegratorSection(const SceneTable& integrator, const SceneTable& monit
   if (scene.requireCertified && !scene.proves())
     fail(monitor.at("require_certified").origin, "monitor.require_certified",
          "true needs a proof: monitor.mode = \"bracket\" or \"threshold\", and an integrator with a critical step");
+  if (scene.requireCertified && scene.every > 1)
+    fail(monitor.at("require_certified").origin, "monitor.require_certified",
+         fmt::format("true needs monitor.every = 1, not {}: nothing is proven of the steps between two observations",
+                     scene.every));
   if (scene.certificates && !scene.proves())
     fail(monitor.at("certificates").origin, "monitor.certificates",
          "certificates are of what is proven: monitor.mode = \"bracket\" or \"threshold\", and an integrator with a "

@@ -14,6 +14,8 @@ namespace {
 
 constexpr std::size_t deepestInclude = 20, mostIncludes = 10'000;
 
+constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
+
 std::string_view trimmedLine(std::string_view text) {
   const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
   while (!text.empty() && blank(text.front())) text.remove_prefix(1);
@@ -30,7 +32,7 @@ std::string_view nextLine(std::string_view text, std::size_t& at) {
 
 /// The first line of a text that is neither empty nor begins with a comment's sign.
 std::string_view firstLine(std::string_view text, std::string_view comment) {
-  for (std::size_t at = 0; at < text.size();)
+  for (std::size_t at = text.starts_with(byteOrderMark) ? byteOrderMark.size() : 0; at < text.size();)
     if (const std::string_view line = trimmedLine(nextLine(text, at)); !line.empty() && !line.starts_with(comment))
       return line;
   return {};
@@ -104,6 +106,8 @@ std::optional<DeckLine> DeckLines::nextOfFiles() {
     Open& file = open_.back();
     const Source& source = sources_[file.source];
     while (file.at < source.text->size()) {
+      // Editors put a byte order mark before the first line.
+      if (file.at == 0 && source.text->starts_with(byteOrderMark)) file.at = byteOrderMark.size();
       const std::size_t begin = file.at;
       const std::string_view line = takeLine(*source.text, file.at);
       if (!isNoLine(line)) return DeckLine{line, source.base + begin, file.at <= source.text->size()};

@@ -98,6 +98,9 @@ TEST_F(CertifiedRun, ThatIsNeverCertifiedSaysSo) {
   EXPECT_EQ(call(run + "required --require-certified").status, 1);
   EXPECT_EQ(json("required/summary.json")["exit_status"], 1);
   EXPECT_EQ(call(run + "required --set monitor.require_certified=true").status, 1);
+  // Between observations nothing is proven.
+  expectRefused(run + "seldom --require-certified --set monitor.every=10",
+                "monitor.require_certified: true needs monitor.every = 1");
 }
 
 // Velocities half a step behind look like lost energy in the first steps under a load.

@@ -507,6 +507,7 @@ TEST_F(DynaDecks, RefuseWhatWouldChangeTheMotion) {
   refuseAlways(block(keyword("DAMPING_PART_STIFFNESS", card(1, 0.1))), "COEF = 0.1: a share of LS-DYNA's own measure");
   refuseAlways(block(keyword("DAMPING_PART_STIFFNESS", card(1, -1e-6), card(7, -1e-6))),
                "deck.k:43: there is no *PART 7");
+  refuseAlways(block(keyword("SET_PART_LIST", card(5), card(1, 7))), "deck.k:43: there is no *PART 7");
   refuseAlways(block(keyword("DAMPING_PART_STIFFNESS", card(1, -1e-6), card(1, -1e-6))),
                "deck.k:43: *DAMPING_PART_STIFFNESS 1 gives a second time what line 42 gives");
   for (const std::string name :

@@ -70,6 +70,13 @@ TEST_F(InpTest, ReadsNodesAndElements) {
   EXPECT_NEAR(meshVolume(mesh), 2, 1e-14);
 }
 
+TEST_F(InpTest, ReadsADeckThatBeginsWithAByteOrderMark) {
+  const Mesh plain = read(std::string(nodes) + elements),
+             marked = read("\xEF\xBB\xBF" + std::string("*Heading\n") + nodes + elements);
+  EXPECT_TRUE(marked.X == plain.X);
+  EXPECT_EQ(marked.elementCount(), plain.elementCount());
+}
+
 TEST_F(InpTest, ReadsSets) {
   const Mesh mesh = read(deck(R"(*NSET, NSET=left, GENERATE
 1, 4, 3
