@@ -54,7 +54,8 @@ TEST_F(Program, InspectSaysWhatMakesAThinElementsStepSmall) {
   folder_.write("without.inp", row(lengths, 3));
   const Outcome outcome = call("inspect thin.inp --json thin.json" + std::string(material));
   ASSERT_EQ(outcome.status, 0) << outcome.err;
-  const Json report = json("thin.json"), why = report["why"];
+  const Json report = json("thin.json");
+  const Json& why = report["why"];
   EXPECT_EQ(why["element"]["id"], 3);
   EXPECT_NEAR(why["height"].get<double>(), 0.001, 1e-12);
   EXPECT_NEAR(why["wave_speed"].get<double>(), waveSpeed(0.3), 1e-9);
@@ -148,7 +149,8 @@ TEST_F(Program, RunSaysWhyOfItsLeastSafeStep) {
   folder_.write("tiny.toml", tiny);
   const Outcome outcome = call("run tiny.toml --out r");
   ASSERT_EQ(outcome.status, 0) << outcome.err;
-  const Json summary = json("r/summary.json"), why = summary["why"];
+  const Json summary = json("r/summary.json");
+  const Json& why = summary["why"];
   const Table rows = table("r/history.csv");
   std::size_t least = 0;
   for (std::size_t i = 1; i < rows.rows.size(); ++i)
