@@ -30,7 +30,8 @@ using Json = nlohmann::ordered_json;
 /// What is said of the results with every audit.
 constexpr std::string_view honestLimit =
     "Each bracket is proven for the tangent of this law, with lumped masses, at that state alone. Contact, plasticity, "
-    "damping, mass scaling and whatever else the other program added are not in it: such a model hands its element "
+    "mass scaling and whatever else the other program has that the scene has not are not in it: such a model hands its "
+    "element "
     "tangents over (docs/embedding.md). Between two states nothing is proven.";
 
 Scene sceneOfAudit(const AuditOptions& options) {
