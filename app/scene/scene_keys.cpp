@@ -423,7 +423,8 @@ void addMonitor(std::vector<SceneKey>& all) {
           {.key = "require_certified",
            .type = T::boolean,
            .fallback = "false",
-           .help = "a run fails (exit status 1) unless every step is certified; as --require-certified"},
+           .help = "a run fails (exit status 1) unless every step is certified, which takes every = 1; as "
+                   "--require-certified"},
       });
 }
 
