@@ -204,8 +204,9 @@ const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, N
   report.spent = {};
 
   const bool finite = allFinite(x, m.body.threads()) && allFinite(v, m.body.threads());
-  const bool due = finite && (m.observations++ % m.options.every == 0 || m.unknown ||
-                              m.bodyVersion != m.body.version() || std::exchange(m.evaluatesNext, false));
+  const bool asked = std::exchange(m.evaluatesNext, false);
+  const bool due =
+      finite && (m.observations++ % m.options.every == 0 || asked || m.unknown || m.bodyVersion != m.body.version());
   if (evaluation && (!due || !m.bracket)) {
     m.body.evaluate(x, *evaluation, m.workspace);
     evaluation = nullptr;

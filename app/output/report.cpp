@@ -381,9 +381,11 @@ std::string summaryText(const Scene& scene, const Body& body, const RunResult& r
     text += fmt::format("cut at t = {:.6g} s: {} of {} elements cut, {} now", cut.time, cut.elementsCut,
                         cut.elementsBefore, cut.elementsAfter);
     // An implicit scheme has no critical step.
-    if (std::isfinite(cut.atMost)) text += fmt::format("; they leave a critical step of at most {:.4g} s", cut.atMost);
-    if (std::isfinite(cut.atMost) && cut.before && cut.after)
-      text += fmt::format(", that of all is {:.4g} s, before {:.4g} s", cut.after->safe, cut.before->safe);
+    if (std::isfinite(cut.atMost)) {
+      text += fmt::format("; they leave a critical step of at most {:.4g} s", cut.atMost);
+      if (cut.before && cut.after)
+        text += fmt::format(", that of all is {:.4g} s, before {:.4g} s", cut.after->safe, cut.before->safe);
+    }
     if (result.handler)
       text += fmt::format("; {} handled, {} before, {} examined in {:.3g} ms", cut.handledAfter, cut.handledBefore,
                           cut.selectionCost.elements, 1e3 * cut.selectionTime);

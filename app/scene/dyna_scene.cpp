@@ -434,10 +434,12 @@ class DynaReader : DeckWriter {
   void partSet() {
     partSets_.insert(card(0).id(0, "SID"));
     if (keyword_.name.ends_with("_GENERATE")) return;
-    for (std::size_t i = 1; i < cardCount(); ++i)
-      for (std::size_t field = 0; field < card(i).size(); ++field)
-        if (const std::int64_t part = card(i).whole(field, "PID"); part != 0)
-          later_.push_back([this, part, at = card(i).position()] { requirePart(part, at); });
+    for (std::size_t i = 1; i < cardCount(); ++i) {
+      const DynaCard own = card(i);
+      for (std::size_t field = 0; field < own.size(); ++field)
+        if (const std::int64_t part = own.whole(field, "PID"); part != 0)
+          later_.emplace_back([this, part, at = own.position()] { requirePart(part, at); });
+    }
   }
 
   // What is held, moved and loaded.

@@ -14,7 +14,11 @@ namespace {
 
 constexpr std::size_t deepestInclude = 20, mostIncludes = 10'000;
 
-constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
+/// Where the first line of a text begins: behind the byte order mark that some editors write.
+std::size_t beginOf(std::string_view text) {
+  constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
+  return text.starts_with(byteOrderMark) ? byteOrderMark.size() : 0;
+}
 
 std::string_view trimmedLine(std::string_view text) {
   const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
@@ -32,7 +36,7 @@ std::string_view nextLine(std::string_view text, std::size_t& at) {
 
 /// The first line of a text that is neither empty nor begins with a comment's sign.
 std::string_view firstLine(std::string_view text, std::string_view comment) {
-  for (std::size_t at = text.starts_with(byteOrderMark) ? byteOrderMark.size() : 0; at < text.size();)
+  for (std::size_t at = beginOf(text); at < text.size();)
     if (const std::string_view line = trimmedLine(nextLine(text, at)); !line.empty() && !line.starts_with(comment))
       return line;
   return {};
@@ -91,7 +95,7 @@ void DeckLines::open(const std::filesystem::path& path, const std::string* text)
   refuseForeign(path, *text);
   sources_.push_back({path, canonical, text, bytes_, std::make_unique<FileCursor>(*text, path.string())});
   bytes_ += text->size() + 1;  // so that the end of a file has a position of its own
-  open_.push_back({sources_.size() - 1, 0});
+  open_.push_back({sources_.size() - 1, beginOf(*text)});
 }
 
 std::string DeckLines::where(std::size_t position) const {
@@ -106,8 +110,6 @@ std::optional<DeckLine> DeckLines::nextOfFiles() {
     Open& file = open_.back();
     const Source& source = sources_[file.source];
     while (file.at < source.text->size()) {
-      // Editors put a byte order mark before the first line.
-      if (file.at == 0 && source.text->starts_with(byteOrderMark)) file.at = byteOrderMark.size();
       const std::size_t begin = file.at;
       const std::string_view line = takeLine(*source.text, file.at);
       if (!isNoLine(line)) return DeckLine{line, source.base + begin, file.at <= source.text->size()};

@@ -65,7 +65,7 @@ TEST_F(Repeats, GoesBackToTheStartAndIsTheRunWithTheSmallerStep) {
   EXPECT_EQ(summary["frames"], json("direct/summary.json")["frames"]);
 }
 
-// Its only look but the last is at the start.
+// The run observes its start and its end alone.
 TEST_F(Repeats, JudgesTheEndOfTheRun) {
   const double h = 0.999 * startStep();
   const std::string options =
