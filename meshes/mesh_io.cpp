@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 bool startsWithXml(std::string_view text) {
-  const std::size_t at = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+  const std::size_t at = text.find_first_not_of(" \t\r\n");
   return at != std::string_view::npos && text[at] == '<';
 }
 
@@ -70,9 +70,8 @@ constexpr MeshFormatEntry formatsOfLibrary[] = {
     {{".inp", "Abaqus or CalculiX deck", "nodes, elements and their sets; a note names what is skipped", false},
      detail::readInp,
      detail::startsWithDeck},
-    {.info = {".exo/.med/.xdmf/.mesh/.bdf", "what meshio reads",
-              "Exodus, MED, XDMF, Medit, Nastran, Netgen and SU2, with their groups; python3-meshio is "
-              "called",
+    {.info = {".exo/.med/.xdmf/.mesh/.bdf/.unv", "what meshio or gmsh reads",
+              "Exodus, MED, XDMF, Medit, Nastran, Netgen and SU2 by python3-meshio, UNV by gmsh, with their groups",
               false}},  // `read` below finds the one of them
 };
 

@@ -37,8 +37,9 @@ std::string elementText(const Mesh& mesh, ElementRef ref) { return elementText(m
 std::string elementText(const Mesh& mesh, ElementRef ref, std::int32_t number) {
   const MeshBlock& block = mesh.blocks[ref.block];
   const std::size_t e = ref.element;
-  std::string text = joinText(elementInfo(block.type).name, " element ", ref.block, ":", number, " (file number ",
-                              block.id(e), "), nodes");
+  std::string text = joinText(elementInfo(block.type).name, " element ", ref.block, ":", number);
+  if (!block.ids.empty()) text += joinText(" (number ", block.id(e), ")");
+  text += ", nodes";
   for (int a = 0; a < block.nodesPerElement(); ++a) text += joinText(" ", mesh.nodeId(block.element(e)[a]));
   return text;
 }

@@ -50,7 +50,8 @@ struct MonitorEvent {
   std::optional<std::int64_t> end = {};    // first step without it; empty while it goes on
 };
 
-/// "tet4 element 0:5 (file number 6), nodes 1 2 3 4": block and element from 0, the rest as numbered in the file.
+/// "tet4 element 0:5 (number 6), nodes 1 2 3 4": block and element from 0, the rest as numbered in the file, where
+/// there is one.
 std::string elementText(const Mesh& mesh, ElementRef element);
 /// The same of a mesh that is a part of another one, in which the element has that number in its block.
 std::string elementText(const Mesh& part, ElementRef element, std::int32_t number);

@@ -558,7 +558,7 @@ struct InspectCommand {
                       "also the critical step between two proven sides, 1e-6 apart where rounding allows, by a sparse "
                       "factorisation; says on a terminal what that takes");
     command->add_option("--stretch", stretch,
-                        "a:b, also a step that is proven stable in every state whose stretches stay between these two, "
+                        "a:b, also a step that is proven for every state whose stretches stay between these two, "
                         "e.g. 0.7:1.5");
     addTime(*command, "--prove", options.prove,
             "prove that this step, s, is stable, by a sparse factorisation; exit status 1 when it is proven "

@@ -346,7 +346,7 @@ constexpr DeckSolid solids[] = {
     {"C3D20RH", "hex20", "gauss-2x2x2", hybrid},
     {"C3D8I", "", "", "its incompatible modes are not ours; C3D8 and C3D8R are taken"},
     {"C3D10T", "", "", noElement},
-    {"C3D15", "", "", noElement},
+    {"C3D15", "wedge6", "gauss-3x2", cornersAlone},
 };
 
 /// Calls each(name) for the names of a row.

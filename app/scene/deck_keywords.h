@@ -62,6 +62,8 @@ const DeckSolid* findDeckSolid(std::string_view type);
 // Reasons that the reader tells, too.
 inline constexpr std::string_view noStructure = "there are solid elements only";
 inline constexpr std::string_view noElement = "there is no such element";
+inline constexpr std::string_view cornersAlone =
+    "its middle nodes are left out, with what a run would hold and load there; at rest the linear wedge stands for it";
 inline constexpr std::string_view noTemperature = "there are no temperatures";
 inline constexpr std::string_view massOfAll = "mass is added for the step of the whole body; leave the set out";
 inline constexpr std::string_view hourglassHere =

@@ -4,7 +4,6 @@
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <fstream>
 #include <map>
 #include <optional>
 #include <set>
@@ -122,6 +121,11 @@ struct DeckAmplitude {
   bool smooth;  // SMOOTH STEP
 };
 
+/// Keywords that are taken and have no lines of data, in either dialect.
+constexpr std::string_view withoutData[] = {"MATERIAL",           "DAMPING",           "CONTACT",
+                                            "SURFACEBEHAVIOR",    "CONTACTINCLUSIONS", "FIXEDMASSSCALING",
+                                            "VARIABLEMASSSCALING"};
+
 class DeckReader : DeckWriter {
  public:
   DeckReader(const std::filesystem::path& file, DeckUse use) : DeckWriter(file, use, detail::DeckDialect::abaqus) {}
@@ -157,7 +161,6 @@ class DeckReader : DeckWriter {
           "{}: the pressure follows the surface; CalculiX keeps its first direction and area without NLGEOM",
           lines_.where(firstPressure())));
     writePressures();
-    checkMassScaling();
     for (const auto& [name, surface] : surfaces_)
       if (!surface.used) leaveOut(surface.keyword);
     return finished();
@@ -171,6 +174,7 @@ class DeckReader : DeckWriter {
   };
   enum class Reading {
     nothing,
+    noData,  // a line of data is refused
     elastic,
     hyperelastic,
     density,
@@ -201,16 +205,14 @@ class DeckReader : DeckWriter {
     reading_ = Reading::nothing;
     dataLines_ = 0;
     const std::string name = withoutBlanks(keyword_.name);
-    std::map<std::string, std::string> parameters;
     for (const auto& [key, value] : keyword_.parameters) requireUtf8(key + value, keyword_.position);
-    for (auto& [key, value] : keyword_.parameters) parameters[withoutBlanks(key)] = std::move(value);
-    keyword_.parameters = std::move(parameters);
     const DeckKeywordRule* rule = findKeywordRule(abaqusKeywords(), name);
     if (rule == nullptr) {
       refuse(keyword_.position, fmt::format("*{} is not known", shortened(keyword_.name)));
       return;
     }
     if (!follow(rule->rule, "", rule->why) || !takesParameters(name, rule->rule)) return;
+    if (std::ranges::find(withoutData, name) != std::end(withoutData)) reading_ = Reading::noData;
     if (rule->rule == DeckRule::mesh) meshKeyword(name);
     if (rule->rule == DeckRule::taken || (rule->rule == DeckRule::takenInRun && forRun())) take(name);
   }
@@ -294,7 +296,7 @@ class DeckReader : DeckWriter {
       reading_ = Reading::structure;
     } else if (solid == nullptr) {
       refuse(keyword_.position, fmt::format("*ELEMENT, TYPE={}: {}", shortened(type), noElement));
-    } else if (solid->element.empty()) {
+    } else if (solid->element.empty() || (forRun() && solid->why == cornersAlone)) {
       refuse(keyword_.position, fmt::format("*ELEMENT, TYPE={}: {}", type, solid->why));
     } else {
       if (!solid->why.empty() && noted_.insert(type).second)
@@ -506,33 +508,6 @@ class DeckReader : DeckWriter {
                     "element's own step asks for",
                     lines_.where(keyword_.position), keyword_.name));
   }
-  /// Says in the words of the deck what does not go with the handler that DT stands for.
-  void checkMassScaling() {
-    if (!scene_.sections.contains("handler")) return;
-    const auto refuseWith = [&](const std::string& what, const std::string& where) {
-      throw InputError(fmt::format("{}: mass scaling by DT does not go with {} ({}); leave one of them out",
-                                   scene_.origins["handler"], what, where));
-    };
-    if (fixesStep() || isOn(*dynamic_, "FIXEDTIMEINCREMENTATION"))
-      refuseWith("a fixed step", lines_.where(dynamic_->position));
-    if (viscosityAt_) refuseWith("*BULK VISCOSITY", lines_.where(*viscosityAt_));
-    struct Other {
-      const char *section, *key, *what;  // key: only with it; nullptr: always
-    };
-    for (const auto& [section, key, what] : {Other{"spring", nullptr, "springs and dashpots"},
-                                             {"contact", nullptr, "contact"},
-                                             {"pressure", nullptr, "pressures"},
-                                             {"force", "times", "amplitudes"},
-                                             {"move", "times", "amplitudes"},
-                                             {"material", "mass_damping", "*DAMPING of a material by itself"}}) {
-      if (!scene_.sections.contains(section)) continue;
-      const Json& own = scene_.sections[section];
-      const Json list = own.is_array() ? own : Json::array({own});
-      for (std::size_t i = 0; i < list.size(); ++i)
-        if (key == nullptr || list[i].contains(key))
-          refuseWith(what, scene_.origins[own.is_array() ? fmt::format("{}.{}", section, i) : section]);
-    }
-  }
   /// Before all steps, or in the first.
   bool ofFirstStep() const { return steps_ < 2; }
 
@@ -543,6 +518,8 @@ class DeckReader : DeckWriter {
     switch (reading_) {
       case Reading::nothing:
         return;
+      case Reading::noData:
+        return refuse(line.position, fmt::format("a line of data below *{}, which has none", keyword_.name));
       case Reading::elastic:
         return elastic(words, line.position);
       case Reading::hyperelastic:
@@ -1004,7 +981,8 @@ class DeckReader : DeckWriter {
     if (alike && first.damping) {
       scene_.sections["damping"]["mass"] = first.damping->first;
       scene_.sections["damping"]["stiffness"] = first.damping->second;
-      scene_.origins["damping"] = lines_.where(*first.dampingAt);
+      for (const char* key : {"damping.mass", "damping.stiffness"})
+        scene_.origins[key] = lines_.where(*first.dampingAt);
     }
     for (const DeckSection& section : sections_) {
       const DeckMaterial& material = materialOf(section);
@@ -1390,29 +1368,18 @@ class DeckReader : DeckWriter {
   std::set<std::string> noted_;
 };
 
-/// The first bytes of a file, enough for the comments before its first keyword; "" for none that can be read.
-std::string beginOf(const std::filesystem::path& file) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error)) return {};
-  std::ifstream stream(file, std::ios::binary);
-  std::string begin(std::size_t{64} << 10, '\0');
-  stream.read(begin.data(), static_cast<std::streamsize>(begin.size()));
-  begin.resize(static_cast<std::size_t>(std::max<std::streamsize>(stream.gcount(), 0)));
-  return begin;
-}
-
 }  // namespace
 
 bool isDeckFile(const std::filesystem::path& file) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) return false;
   if (file.extension() == ".inp") return true;  // what is wrong with it its reader says
-  const std::string begin = beginOf(file);
+  const std::string begin = detail::beginOfFile(file);
   return detail::startsWithDeck(begin) || detail::startsWithDyna(begin);
 }
 
 DeckScene readDeckScene(const std::filesystem::path& file, DeckUse use) {
-  return detail::startsWithDyna(beginOf(file)) ? readDynaScene(file, use) : DeckReader(file, use).read();
+  return detail::startsWithDyna(detail::beginOfFile(file)) ? readDynaScene(file, use) : DeckReader(file, use).read();
 }
 
 }  // namespace ringwatch

@@ -854,9 +854,8 @@ class DynaReader : DeckWriter {
         {"bulk_viscosity", true}, {"linear_bulk_viscosity", linear_}, {"quadratic_bulk_viscosity", quadratic_}};
     if (massDamping_ != 0) damping["mass"] = massDamping_;
     scene_.sections["damping"] = std::move(damping);
-    scene_.origins["damping"] = viscosityAt_     ? lines_.where(*viscosityAt_)
-                                : massDampingAt_ ? lines_.where(*massDampingAt_)
-                                                 : file_.string();
+    scene_.origins["damping"] = viscosityAt_ ? lines_.where(*viscosityAt_) : file_.string();
+    if (massDampingAt_) scene_.origins["damping.mass"] = lines_.where(*massDampingAt_);
     note(
         fmt::format("{}: bulk viscosity {} and {}{}: the linear part acts in tension too here, in LS-DYNA under "
                     "compression alone; damping.bulk_viscosity = false takes both out",
@@ -916,6 +915,7 @@ class DynaReader : DeckWriter {
                       "the step that its body can take",
                       file_.string()));
     integrator["safety"] = stepFactor_;
+    if (stepAt_) scene_.origins["integrator.safety"] = lines_.where(*stepAt_);
   }
 
   /// LS-DYNA's own step: of each element the crossing of its volume over its largest face, of a tetrahedron of its
@@ -1078,7 +1078,12 @@ class DynaReader : DeckWriter {
       origins.push_back(lines_.where(material.position));
     }
     writeMaterialList(std::move(list), origins, rules);
-    for (const auto& [id, damping] : stiffnessDamping_) requirePart(id, damping.position);
+    for (const auto& [id, damping] : stiffnessDamping_) {
+      requirePart(id, damping.position);
+      if (rigidParts_.contains(id) || !solid.contains(id))
+        note(fmt::format("{}: *DAMPING_PART_STIFFNESS of part {}, which {}: left out", lines_.where(damping.position),
+                         id, solid.contains(id) ? "is rigid" : "has no solid elements"));
+    }
   }
   /// A part of other elements than solids is one too.
   void requirePart(std::int64_t id, std::size_t position) const {

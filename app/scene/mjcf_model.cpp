@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <map>
 #include <memory>
 #include <numbers>
@@ -298,7 +297,7 @@ class MjcfReader {
     for (const char* medium : {"density", "viscosity"})
       if (e.real(medium, 0) != 0) e.fail(medium, "a medium damps the vertices, which the bracket does not know");
     for (const XmlElement& flags : files_.children(e, "flag")) {
-      for (const char* force : {"spring", "damper"})
+      for (const char* force : {"passive", "spring", "damper"})
         if (flags.text(force) == "disable") flags.fail(force, "takes forces of flexes away; leave it out");
       if (flags.text("gravity") == "disable") model_.gravity.setZero();
       if (flags.text("sleep") == "enable") sleeps_ = true;
@@ -880,15 +879,9 @@ std::vector<double> Flex::differentMasses() const {
 }
 
 bool isMjcfFile(const fs::path& file) {
-  std::error_code error;
-  if (!fs::is_regular_file(file, error)) return false;
-  std::ifstream stream(file, std::ios::binary);
-  std::string begin(std::size_t{64} << 10, '\0');
-  stream.read(begin.data(), static_cast<std::streamsize>(begin.size()));
-  begin.resize(static_cast<std::size_t>(stream.gcount()));
+  const std::string begin = detail::beginOfFile(file);
   // Behind a declaration and comments the root element begins.
   std::string_view rest = begin;
-  if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);
   for (;;) {
     rest.remove_prefix(std::min(rest.find_first_not_of(" \t\r\n"), rest.size()));
     const std::string_view end = rest.starts_with("<!--") ? "-->" : rest.starts_with("<?") ? "?>" : "";

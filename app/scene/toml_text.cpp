@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <ringwatch/base/byte_order_mark.h>
+
 namespace ringwatch {
 namespace {
 
@@ -40,7 +42,7 @@ class Walk {
 
   /// Where the first character lies that is not ASCII and stands outside of them; the size of the text for nowhere.
   std::size_t firstStray() {
-    if (text_.substr(0, 3) == "\xEF\xBB\xBF") at_ = 3;  // a byte order mark
+    at_ = byteOrderMarkOf(text_);
     while (at_ < text_.size()) {
       const char c = text_[at_];
       if (static_cast<unsigned char>(c) >= 0x80) return at_;

@@ -14,14 +14,9 @@ namespace {
 
 constexpr std::size_t deepestInclude = 20, mostIncludes = 10'000;
 
-/// Where the first line of a text begins: behind the byte order mark that some editors write.
-std::size_t beginOf(std::string_view text) {
-  constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
-  return text.starts_with(byteOrderMark) ? byteOrderMark.size() : 0;
-}
-
 std::string_view trimmedLine(std::string_view text) {
-  const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
+  constexpr char endOfDos = '\x1A';
+  const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == endOfDos; };
   while (!text.empty() && blank(text.front())) text.remove_prefix(1);
   while (!text.empty() && blank(text.back())) text.remove_suffix(1);
   return text;
@@ -36,7 +31,7 @@ std::string_view nextLine(std::string_view text, std::size_t& at) {
 
 /// The first line of a text that is neither empty nor begins with a comment's sign.
 std::string_view firstLine(std::string_view text, std::string_view comment) {
-  for (std::size_t at = beginOf(text); at < text.size();)
+  for (std::size_t at = 0; at < text.size();)
     if (const std::string_view line = trimmedLine(nextLine(text, at)); !line.empty() && !line.starts_with(comment))
       return line;
   return {};
@@ -59,6 +54,20 @@ bool isKeywordLine(std::string_view line) {
 }
 
 }  // namespace
+
+std::optional<double> fortranNumber(std::string_view word) {
+  std::string text;
+  for (const char c : word) {
+    const bool sign = c == '+' || c == '-';
+    if (sign && !text.empty() && text.back() != 'e') text += 'e';
+    if (c == '+') continue;
+    text += c == 'd' || c == 'D' || c == 'E' ? 'e' : c;
+  }
+  double value = 0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || stop != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
 
 bool startsWithDeck(std::string_view text) { return isKeywordLine(firstLine(text, "**")); }
 
@@ -95,7 +104,7 @@ void DeckLines::open(const std::filesystem::path& path, const std::string* text)
   refuseForeign(path, *text);
   sources_.push_back({path, canonical, text, bytes_, std::make_unique<FileCursor>(*text, path.string())});
   bytes_ += text->size() + 1;  // so that the end of a file has a position of its own
-  open_.push_back({sources_.size() - 1, beginOf(*text)});
+  open_.push_back({sources_.size() - 1, 0});
 }
 
 std::string DeckLines::where(std::size_t position) const {
@@ -207,7 +216,12 @@ DeckKeyword DeckLines::keyword(const DeckLine& first) {
       std::string_view value =
           equals == std::string_view::npos ? std::string_view() : trimmedLine(field.substr(equals + 1));
       if (value.size() > 1 && value.front() == '"' && value.back() == '"') value = value.substr(1, value.size() - 2);
-      keyword.parameters[inUpperCase(trimmedLine(field.substr(0, equals)))] = std::string(value);
+      std::string key = inUpperCase(trimmedLine(field.substr(0, equals)));
+      std::erase(key, ' ');  // REF NODE is REFNODE
+      const auto [known, isNew] = keyword.parameters.try_emplace(key, value);
+      if (!isNew && known->second != value)
+        failAt(first.position, joinText("*", keyword.name, " has ", key, " twice, ", detail::quoted(known->second),
+                                        " and ", detail::quoted(value), "; leave one out"));
     }
     isName = false;
   }
@@ -234,15 +248,9 @@ std::int64_t DeckLines::number(std::string_view word, std::string_view what, std
 }
 
 double DeckLines::real(std::string_view word, std::string_view what, std::size_t position) const {
-  std::string copy(word);
-  if (!copy.empty() && copy.front() == '+') copy.erase(0, 1);
-  for (char& c : copy)
-    if (c == 'd' || c == 'D') c = 'e';  // Fortran's double precision
-  double value = 0;
-  const auto [stop, error] = std::from_chars(copy.data(), copy.data() + copy.size(), value);
-  if (error != std::errc() || stop != copy.data() + copy.size() || !std::isfinite(value))
-    failAt(position, joinText(what, " is ", detail::quoted(word), "; it must be a number"));
-  return value;
+  const std::optional<double> value = fortranNumber(word);
+  if (!value) failAt(position, joinText(what, " is ", detail::quoted(word), "; it must be a number"));
+  return *value;
 }
 
 }  // namespace ringwatch::detail

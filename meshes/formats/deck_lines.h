@@ -27,7 +27,7 @@ struct DeckLine {
 /// A keyword line with its parameters, "*ELEMENT, TYPE=C3D8, ELSET=bar".
 struct DeckKeyword {
   std::string name;                               // upper case, without the star, one blank between two words
-  std::map<std::string, std::string> parameters;  // upper case -> as written, without quotes
+  std::map<std::string, std::string> parameters;  // upper case without blanks -> as written, without quotes
   std::size_t position = 0;
 
   bool has(const std::string& key) const { return parameters.count(key) != 0; }
@@ -37,6 +37,9 @@ struct DeckKeyword {
     return found == parameters.end() ? std::string() : found->second;
   }
 };
+
+/// A number as Fortran reads it, "1.5+3" for 1.5e3 and "1.d5"; empty for none.
+std::optional<double> fortranNumber(std::string_view word);
 
 /// Whether a text is a deck of Abaqus or CalculiX: behind comments and empty lines it begins with a keyword.
 bool startsWithDeck(std::string_view text);

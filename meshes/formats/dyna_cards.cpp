@@ -1,7 +1,6 @@
 #include <ringwatch/meshes/formats/dyna_cards.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 namespace ringwatch::detail {
@@ -33,21 +32,6 @@ std::string_view withoutBlanks(std::string_view text) {
   const auto begin = text.find_first_not_of(' ');
   return begin == std::string_view::npos ? std::string_view()
                                          : text.substr(begin, text.find_last_not_of(' ') - begin + 1);
-}
-
-/// A number as Fortran reads it, "1.5+3" for 1.5e3 and "1.d5"; empty for none.
-std::optional<double> fortranNumber(std::string_view word) {
-  std::string text;
-  for (const char c : word) {
-    const bool sign = c == '+' || c == '-';
-    if (sign && !text.empty() && text.back() != 'e') text += 'e';
-    if (c == '+') continue;
-    text += c == 'd' || c == 'D' || c == 'E' ? 'e' : c;
-  }
-  double value = 0;
-  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || stop != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
 }
 
 }  // namespace

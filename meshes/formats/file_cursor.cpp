@@ -10,6 +10,7 @@
 #include <limits>
 #include <system_error>
 
+#include <ringwatch/base/byte_order_mark.h>
 #include <ringwatch/base/machine_memory.h>
 
 namespace ringwatch::detail {
@@ -79,12 +80,25 @@ std::string readWholeFile(const std::filesystem::path& path) {
     text.resize(file.gcount());
   }
   if (file.bad()) throw InputError(name + ": cannot read: input/output error");
+  text.erase(0, byteOrderMarkOf(text));
   if (text.empty()) throw InputError(name + ": the file is empty");
   if (text.starts_with("version https://git-lfs.github.com/"))
     throw InputError(name + ": this is a pointer of Git LFS, not the file itself; git lfs pull brings it");
+  for (const std::string_view mark : {"\xFF\xFE", "\xFE\xFF"})
+    if (text.starts_with(mark)) throw InputError(name + ": this is a text in UTF-16; save it as UTF-8");
   for (const std::string_view packed : {"\x1f\x8b", "PK\x03\x04", "BZh9", "\3757zXZ", "7z\xbc\xaf", "\x28\xb5\x2f\xfd"})
     if (text.starts_with(packed)) throw InputError(name + ": this is a packed file; unpack it");
   return text;
+}
+
+std::string beginOfFile(const std::filesystem::path& path) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return {};
+  std::ifstream file(path, std::ios::binary);
+  std::string begin(std::size_t{64} << 10, '\0');
+  file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  begin.resize(static_cast<std::size_t>(file.gcount()));
+  return begin.erase(0, byteOrderMarkOf(begin));
 }
 
 std::string inUpperCase(std::string_view word) {

@@ -15,8 +15,11 @@ namespace ringwatch::detail {
 
 /// The bytes of a file or of a pipe. Throws InputError when it is missing, something else such as a folder or a device,
 /// larger than the machine's memory (through a pipe: than 4 GiB), cannot be read, or stands
-/// for another file: a pointer of Git LFS, a packed file.
+/// for another file: a pointer of Git LFS, a packed file. A byte order mark is left out.
 std::string readWholeFile(const std::filesystem::path& path);
+/// The first bytes of a regular file, enough for the comments before what tells its format, without byte order mark; ""
+/// for none that can be read.
+std::string beginOfFile(const std::filesystem::path& path);
 
 /// Throws InputError for the text of a mesh in a format that is known but not read, and names it.
 void refuseForeign(const std::filesystem::path& path, std::string_view text);

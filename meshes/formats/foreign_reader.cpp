@@ -15,16 +15,15 @@ struct ForeignFormat {
   std::string_view begin;       // of the text, in capitals or not; "": its files begin in several ways
   std::string_view extensions;  // that tell it where the text does not, each with a space on both sides
   std::string_view name;
-  std::string_view kind;    // for read_by_meshio.py; "": meshio cannot read it either
-  std::string_view advice;  // where meshio cannot
+  std::string_view kind;    // for read_by_meshio.py, or byGmsh; "": neither can read it
+  std::string_view advice;  // of those that are not read
 };
 
 namespace {
 
 constexpr std::string_view writeAnother = "gmsh, meshio and most meshers write .msh, .vtu or .inp";
 constexpr std::string_view fillIt = "a surface has no volume elements; gmsh and tetgen fill one with tetrahedra";
-constexpr std::string_view throughGmsh =
-    "gmsh makes a mesh with its groups of it: gmsh -0 IN.unv -save_all -format msh41 -o OUT.msh";
+constexpr std::string_view byGmsh = "gmsh";
 constexpr std::string_view cellsByFaces = "it gives cells by their faces; write the mesh as .msh of gmsh or as .inp";
 constexpr std::string_view meshOfFlex =
     "it tells how to make a mesh; gmsh makes one, and .msh is what its flexcomp reads";
@@ -71,8 +70,8 @@ constexpr ForeignFormat formats[] = {
     {"OFF", {}, "a surface in OFF", {}, fillIt},
     {{}, " .obj ", "a surface in OBJ", {}, fillIt},
     {"ISO-10303-21", " .step .stp ", "a geometry in STEP", {}, "gmsh makes a mesh of it"},
-    {"-1\n", " .unv ", "a universal file (UNV)", {}, throughGmsh},
-    {"-1\r", {}, "a universal file (UNV)", {}, throughGmsh},
+    {"-1\n", " .unv ", "a universal file (UNV)", byGmsh, {}},
+    {"-1\r", {}, "a universal file (UNV)", byGmsh, {}},
     {"<mujoco", {}, "a model of MuJoCo (MJCF)", {}, meshOfFlex},
 };
 
@@ -87,10 +86,29 @@ std::vector<std::string> linesOf(const std::filesystem::path& path) {
   return lines;
 }
 
+/// Of universal files gmsh makes a mesh with their numbers and groups.
+Mesh readByGmsh(const std::string& is, const std::filesystem::path& path, Notes* notes, Problems* problems) {
+  const ScratchFolder folder;
+  const std::filesystem::path made = folder.path() / "mesh.msh";
+  std::filesystem::create_symlink(std::filesystem::absolute(path), folder.path() / "mesh.unv");  // the name tells gmsh
+  const ProgramResult result = runProgram(
+      {"gmsh", "-v", "1", "-0", "mesh.unv", "-save_all", "-format", "msh41", "-bin", "-o", "mesh.msh"}, folder.path());
+  if (!result.found)
+    throw InputError(joinText(is, ", which gmsh reads: install gmsh, as scripts/setup --remeshing does"));
+  if (result.status != 0 || !std::filesystem::exists(made))
+    throw InputError(joinText(is, "; gmsh cannot read it: ", result.output.substr(0, result.output.find('\n'))));
+  try {
+    return readMsh(path, readWholeFile(made), notes, problems);
+  } catch (const InputError& fault) {
+    const std::string why = fault.what(), source = path.string() + ": ";
+    throw InputError(joinText(is, "; as gmsh reads it: ", why.substr(why.starts_with(source) ? source.size() : 0)));
+  }
+}
+
 }  // namespace
 
 const ForeignFormat* foreignByContent(std::string_view text) {
-  std::string_view begin = text.substr(std::min(text.find_first_not_of(" \t\r\n\xEF\xBB\xBF"), text.size()));
+  std::string_view begin = text.substr(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
   // Of XML the first tag that is neither a declaration nor a comment tells the format.
   while (begin.starts_with("<?") || begin.starts_with("<!"))
     begin.remove_prefix(std::min(begin.find('<', 1), begin.size()));
@@ -109,9 +127,9 @@ const ForeignFormat* foreignByExtension(const std::filesystem::path& path) {
 
 Mesh readForeign(const ForeignFormat& format, const std::filesystem::path& path, Notes* notes, Problems* problems) {
   if (format.kind.empty()) refuse(path, format);
-  const std::string source = path.string();
-  if (!std::filesystem::is_regular_file(path))
-    throw InputError(joinText(source, ": this is ", format.name, ", which is read from a file, not from a pipe"));
+  const std::string source = path.string(), is = joinText(source, ": this is ", format.name);
+  if (!std::filesystem::is_regular_file(path)) throw InputError(is + ", which is read from a file, not from a pipe");
+  if (format.kind == byGmsh) return readByGmsh(is, path, notes, problems);
   const ScratchFolder folder;
   ProgramResult result;
   std::vector<std::string> said;
@@ -131,18 +149,13 @@ Mesh readForeign(const ForeignFormat& format, const std::filesystem::path& path,
       for (const std::string& line : said) notes->push_back(joinText(source, ": ", line));
     return readVtu(path, readWholeFile(converted), notes, problems);
   }
-  if (result.found && result.status == 1 && !said.empty())
-    throw InputError(joinText(source, ": this is ", format.name, "; ", said.front()));
+  if (result.found && result.status == 1 && !said.empty()) throw InputError(joinText(is, "; ", said.front()));
   if (result.found && result.status == 128 + SIGALRM)
-    throw InputError(joinText(source, ": this is ", format.name,
-                              "; reading it by meshio took 10 minutes without an end; is it cut off?"));
+    throw InputError(is + "; reading it by meshio took 10 minutes without an end; is it cut off?");
   if (result.found && result.status != 3)
-    throw InputError(
-        joinText(source, ": this is ", format.name, "; reading it by meshio ended with status ", result.status));
-  throw InputError(joinText(source, ": this is ", format.name,
-                            ", which meshio reads: install python3-meshio, "
-                            "python3-h5py and python3-netcdf4, as scripts/setup does; missing is ",
-                            said.front()));
+    throw InputError(joinText(is, "; reading it by meshio ended with status ", result.status));
+  throw InputError(joinText(is, ", which meshio reads: install python3-meshio, python3-h5py and python3-netcdf4, as ",
+                            "scripts/setup does; missing is ", said.front()));
 }
 
 void refuseForeign(const std::filesystem::path& path, std::string_view text) {

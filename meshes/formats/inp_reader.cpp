@@ -43,6 +43,8 @@ const FileElement* elementOfDeck(const std::string& type) {
         return findVtkElement(12);
       case 10:
         return findVtkElement(24);
+      case 13:
+        return findVtkElement(27);
       case 15:
         return findVtkElement(26);
       case 20:
@@ -151,6 +153,7 @@ class Deck {
     std::vector<Node> nodes;
     std::vector<Element> elements;
     std::unordered_map<std::int64_t, std::size_t> elementOfId, nodeOfId;
+    std::vector<std::int64_t> shapeless;  // numbers of elements that the mesh does not have
     Sets nodeSets, elementSets;
     std::vector<Awaited> awaited;
     std::size_t position = 0;
@@ -162,8 +165,10 @@ class Deck {
   };
   enum class Reading {
     nothing,
+    noData,  // a line of data is refused
     nodes,
     elements,
+    shapeless,
     nodeSet,
     elementSet,
     placement,
@@ -189,10 +194,9 @@ class Deck {
     } else if (name == "ELEMENT") {
       if (keyword_.value("TYPE").empty()) refuse("needs TYPE=, for instance TYPE=C3D8");
       type_ = elementOfDeck(inUpperCase(keyword_.value("TYPE")));
-      if (type_ == nullptr)
-        ++skipped_["*ELEMENT, TYPE=" + inUpperCase(keyword_.value("TYPE"))];
-      else
-        reading_ = Reading::elements;
+      if (type_ == nullptr) ++skipped_["*ELEMENT, TYPE=" + inUpperCase(keyword_.value("TYPE"))];
+      reading_ = type_ == nullptr ? Reading::shapeless : Reading::elements;
+      continued_ = false;
       skipFormulation(inUpperCase(keyword_.value("TYPE")));
     } else if (name == "NSET" || name == "ELSET") {
       if (!keyword_.has(name)) refuse("needs the name of the set, " + name + "=");
@@ -208,6 +212,7 @@ class Deck {
       made->second.position = first.position;
       current_ = &made->second;
       axes_ = Eigen::Affine3d::Identity();
+      reading_ = Reading::noData;
     } else if (name == "INSTANCE") {
       beginInstance();
     } else if (name == "SYSTEM") {
@@ -218,10 +223,12 @@ class Deck {
       reading_ = name == "NGEN" ? Reading::nodeLine : name == "NFILL" ? Reading::nodeFill : Reading::elementRows;
     } else if (name == "NCOPY" || name == "ELCOPY" || name == "NMAP") {
       refuse("makes or moves nodes or elements and is not supported; write them out with *NODE and *ELEMENT");
-    } else if (name != "HEADING" && !name.starts_with("END") && name != "ASSEMBLY") {
+    } else if (name.starts_with("END") || name == "ASSEMBLY") {
+      reading_ = Reading::noData;
+    } else if (name != "HEADING") {
       ++skipped_["*" + name];
     }
-    if (reading_ != Reading::nothing && keyword_.has("INPUT")) lines_.include(keyword_);
+    if (reading_ != Reading::nothing && reading_ != Reading::noData && keyword_.has("INPUT")) lines_.include(keyword_);
   }
 
   /// A parameter of the mesh that is not followed would change it in silence.
@@ -353,6 +360,7 @@ class Deck {
         lines_.failAt(element.position, joinText("element ", element.id, " is defined a second time"));
       model_.elements.push_back(std::move(element));
     }
+    for (const std::int64_t id : placed_.shapeless) model_.shapeless.push_back(shifted(id, offset));
     for (const auto& [from, to] :
          {std::pair{&placed_.nodeSets, &model_.nodeSets}, {&placed_.elementSets, &model_.elementSets}})
       for (const auto& [key, set] : *from) {
@@ -402,6 +410,14 @@ class Deck {
           lines_.failAt(line.position,
                         "a line of data before the first keyword; an .inp deck begins with *HEADING or *NODE");
         return;
+      case Reading::noData:
+        lines_.failAt(line.position, joinText("a line of data below *", keyword_.name, ", which has none"));
+      case Reading::shapeless:
+        if (!continued_)
+          part().shapeless.push_back(
+              lines_.number(DeckLines::fields(line.text)[0], "the number of an element", line.position));
+        continued_ = line.text.back() == ',';
+        break;
       case Reading::placement:
         placementLine(line);
         break;
@@ -712,8 +728,21 @@ class Deck {
                                        "hold others again and again?"));
     spent_ += entries;
   }
-  /// Calls found(id) for the members of a set that exist; numbers of skipped elements and gaps of GENERATE stand for
-  /// nothing. known: all numbers that exist, sorted.
+  /// Notes the first number of a set that the deck does not have. known: all numbers that exist, sorted.
+  void noteAbsent(const Set& set, const std::vector<std::int64_t>& known, std::string_view what) {
+    for (const Range& range : set.ranges) {
+      auto at = std::ranges::lower_bound(known, range.first);
+      for (std::int64_t id = range.first;; id += range.step) {
+        at = std::find_if(at, known.end(), [&](std::int64_t one) { return one >= id; });
+        if (at == known.end() || *at != id) {
+          absent_ += joinText(absent_.empty() ? "" : ", ", set.name, " (", what, " ", id, ")");
+          return;
+        }
+        if (id > range.last - range.step) break;
+      }
+    }
+  }
+  /// Calls found(id) for the members of a set that exist. known: all numbers that exist, sorted.
   template <class Found>
   void forEachMember(Set& set, const std::vector<std::int64_t>& known, const Found& found) {
     set.removeRepeated();
@@ -741,8 +770,12 @@ class Deck {
     known.reserve(elements.size());
     for (const Element& element : elements) known.push_back(element.id);
     std::sort(known.begin(), known.end());
+    std::vector<std::int64_t> all = known;
+    all.insert(all.end(), model_.shapeless.begin(), model_.shapeless.end());
+    sortUnique(all);
     std::vector<const std::string*> names;
     for (auto& [key, set] : model_.elementSets) {
+      noteAbsent(set, all, "element");
       const auto number = static_cast<std::uint32_t>(names.size());
       names.push_back(&set.name);
       forEachMember(set, known, [&](std::int64_t id) {
@@ -772,12 +805,16 @@ class Deck {
     std::sort(known.begin(), known.end());
     for (auto& entry : model_.nodeSets) {
       auto& set = entry.second;
+      noteAbsent(set, known, "node");
       forEachMember(set, known, [&](std::int64_t id) { builder_.addToNodeSet(set.name, id); });
     }
   }
 
   void addNotes(Notes& notes) const {
     notes.insert(notes.end(), endless_.begin(), endless_.end());
+    if (!absent_.empty())
+      notes.push_back(
+          joinText(source_, ": sets that name what the deck does not have, each with the first: ", absent_));
     std::string list;
     for (const auto& [name, count] : skipped_)
       list += (list.empty() ? "" : ", ") + name + (count > 1 ? joinText(" (", count, ")") : "");
@@ -800,8 +837,8 @@ class Deck {
   DeckKeyword keyword_{};
   Reading reading_ = Reading::nothing;
   const FileElement* type_ = nullptr;
-  bool unfinished_ = false;
-  bool hasData_ = false;  // lines of data since the last keyword
+  bool unfinished_ = false, continued_ = false;  // an element goes on in the next line
+  bool hasData_ = false;                         // lines of data since the last keyword
   struct Open {
     std::string name;
     std::size_t position;
@@ -815,6 +852,7 @@ class Deck {
   Eigen::Affine3d axes_ = Eigen::Affine3d::Identity();  // of *SYSTEM
   std::vector<double> systemNumbers_;
   std::vector<std::string> endless_;  // notes
+  std::string absent_;                // sets with a number that is not there
   std::uint64_t spent_ = 0;
   std::map<std::string, int> skipped_;
 };

@@ -13,7 +13,7 @@ namespace ringwatch::detail {
 namespace {
 
 // Numbers of gmsh ("MSH file format") and of vtkCellType.h; 0: it has no such cell of fixed order.
-constexpr int gmshHex27 = 12, gmshHex20 = 17;
+constexpr int gmshHex27 = 12;
 constexpr FileElement fileElements[] = {
     {15, "point", 0, 1, 1},     {1, "line", 1, 2, 3},       {8, "line", 1, 3, 21},      {26, "line", 1, 4, 35},
     {27, "line", 1, 5, 0},      {28, "line", 1, 6, 0},      {2, "triangle", 2, 3, 5},   {9, "triangle", 2, 6, 22},
@@ -25,6 +25,23 @@ constexpr FileElement fileElements[] = {
     {13, "wedge", 3, 18, 32},   {7, "pyramid", 3, 5, 14},   {19, "pyramid", 3, 13, 27}, {14, "pyramid", 3, 14, 0},
     {0, "wedge", 3, 12, 31},    {0, "hex", 3, 24, 33},      {0, "pyramid", 3, 19, 37},
 };
+
+/// Elements of which the first nodes make one that the library has, in the order of every format.
+struct Reduced {
+  std::string_view shape;
+  int nodes, kept;
+};
+constexpr Reduced reducible[] = {{"hex", 27, 20},  {"hex", 24, 20},    {"wedge", 18, 6},   {"wedge", 15, 6},
+                                 {"wedge", 12, 6}, {"pyramid", 19, 5}, {"pyramid", 14, 5}, {"pyramid", 13, 5}};
+/// nullptr where the library has the element, or nothing that could be had of it.
+const FileElement* reducedOf(const FileElement& type) {
+  if (type.dimension < 3 || elementOf(type) != nullptr) return nullptr;
+  for (const Reduced& one : reducible)
+    for (const FileElement& kept : fileElements)
+      if (one.shape == type.shape && one.nodes == type.nodes && kept.shape == type.shape && kept.nodes == one.kept)
+        return elementOf(kept) != nullptr ? &kept : nullptr;
+  return nullptr;
+}
 
 /// Numbers of nodes to indices: a table where the numbers are dense, a hash map else.
 class NodeIndex {
@@ -194,10 +211,11 @@ MeshBuilder::Elements& MeshBuilder::listOf(const FileElement& type) {
 
 void MeshBuilder::addElement(const FileElement& type, std::int64_t id, const std::int64_t* nodes, int group,
                              std::size_t position, NodeOrder order) {
-  const FileElement *const hex27 = findGmshElement(gmshHex27), *const hex20 = findGmshElement(gmshHex20);
-  if (&type == hex27 && elementOf(*hex27) == nullptr && elementOf(*hex20) != nullptr) {
-    ++reduced_;
-    return addElement(*hex20, id, nodes, group, position, order);  // whose nodes are the first ones in every order
+  if (const FileElement* const kept = reducedOf(type)) {
+    ++reduced_[{type.name(), kept->name()}];
+    if (elementOf(*kept)->order == 1)  // else what is left out is of no other element
+      for (int i = kept->nodes; i < type.nodes; ++i) hanging_.emplace(nodes[i], OfReduced{type.name(), id, position});
+    return addElement(*kept, id, nodes, group, position, order);
   }
   Elements* list = &listOf(type);
   if (list->info == nullptr) {
@@ -292,6 +310,17 @@ std::size_t MeshBuilder::leaveDoublesOut(Elements& list) {
   return again.size() - kept;
 }
 
+void MeshBuilder::requireNoneHangs() const {
+  for (const Elements& list : elements_)
+    for (std::size_t i = 0; list.info != nullptr && list.info->order > 1 && i < list.nodes.size(); ++i)
+      if (const auto found = hanging_.find(list.nodes[i]); found != hanging_.end())
+        throw InputError(joinText(elementWhere_(found->second.position), ": element ", found->second.id, " (",
+                                  found->second.type, ") could be read as linear, but element ",
+                                  list.ids[i / static_cast<std::size_t>(list.type->nodes)], " (", list.type->name(),
+                                  ") keeps node ", list.nodes[i],
+                                  " between them, which would hang; make the mesh of linear elements"));
+}
+
 Mesh MeshBuilder::finish(std::vector<std::string>* notes, std::vector<MeshProblem>* problems) {
   // A list may have lost all that it had to another type.
   std::erase_if(elements_, [](const Elements& list) { return list.count == 0; });
@@ -322,6 +351,7 @@ Mesh MeshBuilder::finish(std::vector<std::string>* notes, std::vector<MeshProble
     if (!index.insert(nodeIds_[n], n))
       throw InputError(joinText(nodeWhere_(nodePositions_[n]), ": node ", nodeIds_[n], " is defined a second time"));
 
+  requireNoneHangs();
   for (const Elements& list : elements_) {
     const std::size_t width = list.type->nodes;
     const std::int32_t blockNumber = mesh.blocks.size();
@@ -376,9 +406,9 @@ Mesh MeshBuilder::finish(std::vector<std::string>* notes, std::vector<MeshProble
   mesh.nodeIds = std::move(nodeIds_);
   if (notes == nullptr) return mesh;
   for (std::string& note : droppedNote(source_, dropped)) notes->push_back(std::move(note));
-  if (reduced_ > 0)
-    notes->push_back(joinText(source_, ": ", reduced_, " hex27 are read as hex20, which is another element: ",
-                              "the nodes in their faces and middles are left out"));
+  for (const auto& [types, count] : reduced_)
+    notes->push_back(joinText(source_, ": ", count, " ", types.first, " are read as ", types.second,
+                              ", which is another element: their other nodes are left out"));
   for (const auto& [types, count] : collapsed_)
     notes->push_back(joinText(source_, ": ", count, " ", types.first,
                               " that hold a node several times are read as the ", types.second, " that are left"));

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -102,8 +103,9 @@ class MeshBuilder {
     return static_cast<int>(groups_.size()) - 1;
   }
   /// nodes: in the file's order. A linear element that holds a node several times becomes what is left of it: a
-  /// hexahedron of six nodes a wedge. A hexahedron of 27 nodes becomes the one of its first 20. Elements of surfaces,
-  /// lines and points leave only their nodes in the sets of their group.
+  /// hexahedron of six nodes a wedge. Of a hexahedron with nodes in its faces the first 20 nodes are kept, of a
+  /// quadratic wedge or pyramid the corners. Elements of surfaces, lines and points leave only their nodes in the sets
+  /// of their group.
   void addElement(const FileElement& type, std::int64_t id, const std::int64_t* nodes, int group, std::size_t position,
                   NodeOrder order = NodeOrder::ours);
   void addToNodeSet(const std::string& name, std::int64_t nodeId) { nodeSetIds_[name].push_back(nodeId); }
@@ -124,6 +126,7 @@ class MeshBuilder {
   Elements& listOf(const FileElement& type);
   std::size_t leaveDoublesOut(Elements& list);
   int groupOfBoth(int one, int other);
+  void requireNoneHangs() const;
 
   std::string source_;
   Where nodeWhere_, elementWhere_;
@@ -137,7 +140,14 @@ class MeshBuilder {
   /// Numbers of elements by their type in the file and the one that is left.
   std::map<std::pair<std::string, std::string>, std::size_t> collapsed_;
   std::map<std::pair<int, int>, int> bothGroups_;
-  std::size_t reduced_ = 0;  // hexahedra of 27 nodes
+  std::map<std::pair<std::string, std::string>, std::size_t> reduced_;  // likewise
+  /// Nodes that are left out of elements which become linear, with one of these.
+  struct OfReduced {
+    std::string type;
+    std::int64_t id;
+    std::size_t position;
+  };
+  std::unordered_map<std::int64_t, OfReduced> hanging_;
 };
 
 }  // namespace ringwatch::detail

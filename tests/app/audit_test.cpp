@@ -159,7 +159,7 @@ TEST_F(Audits, LeaveOutElementsThatAreDeletedAndNameAllByTheNumbersOfTheFile) {
   EXPECT_EQ(other["history"][1]["deleted_elements"], 1);
   EXPECT_EQ(other["history"][1]["safe"], deleted["history"][1]["safe"]);
   EXPECT_EQ(kept["first"]["inverted"]["state"], 2);
-  EXPECT_THAT(call("audit s0.vtk s2.vtk" + law).out, HasSubstr("det F = -1.5 in tet4 element 0:0 (file number 501)"));
+  EXPECT_THAT(call("audit s0.vtk s2.vtk" + law).out, HasSubstr("det F = -1.5 in tet4 element 0:0 (number 501)"));
   // The element that is left, alone, with half the mass at the common nodes: a light one has the shorter step.
   EXPECT_GT(deleted["history"][1]["safe"].get<double>(), deleted["at_rest"]["safe"].get<double>());
 }

@@ -287,9 +287,11 @@ TEST_F(ExplicitDecks, ScaleMasses) {
          "GRAV with *FIXED MASS SCALING, FACTOR (line 52): weight is of the mass that is not scaled");
   refuse(part("C3D8") + steel() +
              step("*Fixed Mass Scaling, dt=5e-5\n", "*Dynamic, Explicit, direct user control\n1e-6, 1e-4\n"),
-         "mass scaling by DT does not go with a fixed step (deck.inp:");
-  refuse(deck("*Fixed Mass Scaling, dt=5e-5\n", "*Bulk Viscosity\n"), "does not go with *BULK VISCOSITY (deck.inp:");
-  refuse(deck("*Fixed Mass Scaling, dt=5e-5\n", "*Dload\n1, P1, 1.\n"), "does not go with pressures (deck.inp:");
+         "handler.step: is for integrator.step = \"auto\", and 1e-06 s is given");
+  refuse(deck("*Fixed Mass Scaling, dt=5e-5\n", "*Bulk Viscosity\n"),
+         "handlers do not go with elements that damp (deck.inp:");
+  refuse(deck("*Fixed Mass Scaling, dt=5e-5\n", "*Dload\n1, P1, 1.\n"),
+         "handlers do not go with loads and motions that change in time (deck.inp:");
   for (const std::string command : {"run deck.inp --out x", "inspect deck.inp"}) {
     refuse(deck("*Fixed Mass Scaling, dt=5e-5, type=UNIFORM\n"),
            "TYPE=UNIFORM: gives mass to elements that do not need", command);

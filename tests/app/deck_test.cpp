@@ -1,9 +1,14 @@
 // Abaqus and CalculiX decks as scenes: what is taken, left out and refused, and motions against analytic answers.
+#include <algorithm>
 #include <cmath>
 #include <set>
+#include <span>
 #include <sstream>
 #include <string>
 
+#include <ringwatch/app/scene/deck_keywords.h>
+#include <ringwatch/app/scene/deck_scene.h>
+#include <ringwatch/app/scene/dyna_keywords.h>
 #include <ringwatch/app/scene/time_table.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/meshes/mesh_io.h>
@@ -559,6 +564,47 @@ TEST_F(Decks, ListEveryKeywordOnce) {
     for (std::string word; words >> word;) EXPECT_TRUE(known.insert(word).second) << word;
   }
   EXPECT_GT(known.size(), 350u);
+}
+
+// Each keyword of both tables, in a deck that runs: what is not taken is told or refused, with its line and reason.
+TEST_F(Decks, DoWithEachKeywordWhatTheTablesSay) {
+  const std::string dyna =
+      "*KEYWORD\n*CONTROL_TERMINATION\n1e-4\n*PART\na "
+      "part\n1,1,1\n*SECTION_SOLID\n1,1\n*MAT_ELASTIC\n1,7850.,2.1e11,0.3\n"
+      "*NODE\n1,0.,0.,0.\n2,1.,0.,0.\n3,1.,1.,0.\n4,0.,1.,0.\n5,0.,0.,1.\n6,1.,0.,1.\n7,1.,1.,1.\n8,0.,1.,1.\n"
+      "*ELEMENT_SOLID\n1,1,1,2,3,4,5,6,7,8\n";
+  struct Dialect {
+    std::span<const DeckKeywordRule> rules;
+    std::string before, data, after;
+  };
+  int tried = 0;
+  for (const Dialect& one : {Dialect{abaqusKeywords(), std::string(cubes) + soft, "", step("")},
+                             Dialect{dynaKeywords(), dyna, "9\n", "*END\n"}})
+    for (const DeckKeywordRule& row : one.rules) {
+      const DeckRule rule = row.rule;
+      if (rule == DeckRule::mesh || rule == DeckRule::taken || rule == DeckRule::takenInRun) continue;
+      std::istringstream names{std::string(row.names)};
+      for (std::string name; names >> name; ++tried) {
+        if (name.ends_with('*')) name.back() = 'Q';
+        folder_.write("deck.inp", one.before + "*" + name + "\n" + one.data + one.after);
+        const std::string line = joinText(":", 1 + std::ranges::count(one.before, '\n'), ": *", name);
+        for (const DeckUse use : {DeckUse::run, DeckUse::model}) {
+          const bool refused = rule == DeckRule::refused ||
+                               (use == DeckUse::run && (rule == DeckRule::load || rule == DeckRule::procedure));
+          std::string said;
+          try {
+            for (const std::string& note : readDeckScene(folder_.path() / "deck.inp", use).notes) said += note + "\n";
+            EXPECT_FALSE(refused) << name;
+          } catch (const InputError& fault) {
+            said = fault.what();
+            EXPECT_TRUE(refused) << said;
+            EXPECT_THAT(said, HasSubstr(line + ": " + std::string(row.why)));
+          }
+          EXPECT_THAT(said, HasSubstr("*" + name));
+        }
+      }
+    }
+  EXPECT_GT(tried, 400);
 }
 
 // ∫ of a table whose factor stays until the next time.

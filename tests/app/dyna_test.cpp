@@ -335,6 +335,25 @@ TEST_F(DynaDecks, TellWhatGoesWithShells) {
               HasSubstr("deck.k: 3 supports, loads, masses or velocities left out, which are of nodes of no solid"));
 }
 
+// What acts on nothing is told, and a number out of range has the line of its keyword.
+TEST_F(DynaDecks, TellWhatDampsNothing) {
+  const std::string damping = keyword("DAMPING_PART_STIFFNESS", card(1, -1e-6), card(2, -1e-6));
+  for (const auto& [law, why] :
+       {std::pair<std::string, std::string>{keyword("MAT_RIGID", card(2, 7850.0, "2.1e11", 0.3), card(0), card(0)),
+                                            "which is rigid: left out"},
+        {steel(2), ""}}) {
+    folder_.write("deck.k", begin + until(1e-4) + part(1, 1, 1) + part(2, 1, 2) + section(1, 1) + steel() + law +
+                                cubes(2) + held + damping + ending);
+    const std::string out = call("inspect deck.k").out;
+    EXPECT_EQ(out.find("*DAMPING_PART_STIFFNESS of part 2, which is rigid: left out") != std::string::npos,
+              !why.empty())
+        << out;
+  }
+  folder_.write("deck.k", block(part(9, 1, 1) + keyword("DAMPING_PART_STIFFNESS", card(9, -1e-6))));
+  EXPECT_THAT(call("inspect deck.k").out, HasSubstr("of part 9, which has no solid elements: left out"));
+  refuse(block(keyword("CONTROL_TIMESTEP", card(0, 1.5))), "deck.k:42: integrator.safety");
+}
+
 // The decks above use all that is taken.
 TEST_F(DynaDecks, UseEveryKeywordThatIsTaken) {
   std::string text;

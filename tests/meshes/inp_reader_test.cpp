@@ -172,7 +172,9 @@ TEST_F(InpTest, NamesFileAndLineOfWhatIsWrong) {
   expectError(deck("*INCLUDE, INPUT=nowhere.inp\n"), "29", "there is no such file");
   expectError(deck("*INCLUDE\n"), "29", "INPUT=");
   expectError(deck("*NCOPY\n1, 2, 1\n"), "29", "not supported");
-  expectError(deck("*ELEMENT, TYPE=C3D15\n60, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 1, 2, 3\n"), "30", "wedge15");
+  expectError(deck("*STEP\n*STATIC\n*END STEP\n1, 2\n"), "32", "a line of data below *END STEP, which has none");
+  expectError("*PART, NAME=p\n1.\n" + deck(), "2", "a line of data below *PART, which has none");
+  expectError(deck("*NSET, NSET=a, NSET=b\n1\n"), "29", "*NSET has NSET twice, \"a\" and \"b\"; leave one out");
 }
 
 TEST_F(InpTest, RefusesWhatIsCutShort) {
@@ -493,6 +495,30 @@ tens, 21, tens
   EXPECT_THAT(mesh.nodeSets.at("twice"), ElementsAre(0, 1, 2, 4, 6, 8, 10));
   EXPECT_EQ(mesh.elementSets.at("tens").size(), 2u);
   EXPECT_EQ(mesh.elementSets.at("more").size(), 3u);
+}
+
+// Numbers of elements without a shape are there; those of no element or node are told.
+TEST_F(InpTest, TellsWhatSetsNameInVain) {
+  const auto told = [&](const std::string& sets) {
+    notes.clear();
+    read(deck("*ELEMENT, TYPE=SPRING1, ELSET=springs\n500, 1\n501, 2\n" + sets));
+    std::string text;
+    for (const std::string& note : notes)
+      if (note.find("what the deck does not have") != std::string::npos) text = note.substr(note.rfind(": ") + 2);
+    return text;
+  };
+  EXPECT_EQ(told("*ELSET, ELSET=a\n10, 500, 501, 20\n*NSET, NSET=b, GENERATE\n1, 12\n"), "");
+  EXPECT_EQ(told("*ELSET, ELSET=a\n10, 77, 78\n"), "a (element 77)");
+  EXPECT_EQ(told("*ELSET, ELSET=a, GENERATE\n10, 70, 60\n*NSET, NSET=b, GENERATE\n1, 13\n"),
+            "a (element 70), b (node 13)");
+}
+
+TEST_F(InpTest, ReadsNumbersAsFortranWritesThem) {
+  const Mesh mesh = read(
+      "*NODE\n1, 1.D-3, .5, -2.\n2, +1.5E+2, 1d0, 1.5-3\n3,0,0,0\n4,1,1,1\n*ELEMENT, TYPE=C3D4\n"
+      "1,1,2,3,4\n");
+  EXPECT_EQ(mesh.X.col(0), Eigen::Vector3d(1e-3, 0.5, -2));
+  EXPECT_EQ(mesh.X.col(1), Eigen::Vector3d(150, 1, 1.5e-3));
 }
 
 TEST_F(InpTest, RefusesSetsThatHoldFarMoreThanTheFile) {

@@ -38,7 +38,7 @@ TEST(EventText, IsTheLineOfItsKind) {
   mesh.blocks[0].ids[2] = 33;
   const ElementRef element{0, 2};
   const MeshBlock& block = mesh.blocks[0];
-  std::string where = "tet4 element 0:2 (file number 33), nodes";
+  std::string where = "tet4 element 0:2 (number 33), nodes";
   for (int a = 0; a < 4; ++a) where += joinText(" ", mesh.nodeId(block.element(2)[a]));
   ElementCause inverted;
   inverted.leastDeterminant = -0.25;
@@ -80,11 +80,11 @@ TEST(EventText, OfAMeshWithoutFileNumbersHasPlaces) {
   mesh.blocks[0].ids.clear();
   std::string nodes;
   for (int a = 0; a < 4; ++a) nodes += joinText(" ", mesh.blocks[0].element(2)[a]);
-  EXPECT_EQ(elementText(mesh, {0, 2}), "tet4 element 0:2 (file number 2), nodes" + nodes);
+  EXPECT_EQ(elementText(mesh, {0, 2}), "tet4 element 0:2, nodes" + nodes);
   EXPECT_EQ(
       eventText({.kind = EventKind::violated, .value = 2, .h = 1e-3, .element = ElementRef{0, 2}}, mesh),
       "step 0, t = 0 s: violated: h = 0.001 s is above the critical step, which is at most 0.0005 s, tet4 element "
-      "0:2 (file number 2), nodes" +
+      "0:2, nodes" +
           nodes);
 }
 
