@@ -31,6 +31,9 @@ struct ProbableUpperBound {
 struct LowerBound {
   double value;
   double dampingFrom = 0, dampingTo = infinity;
+
+  /// What damping holds of it, at least.
+  double dampingShare() const { return value > 0 ? dampingFrom / value : 0; }
 };
 /// The higher one.
 inline LowerBound higher(LowerBound a, LowerBound b) { return b.value > a.value ? b : a; }

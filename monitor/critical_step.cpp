@@ -71,6 +71,7 @@ CriticalStep criticalStepInTiers(const Body& body, NodeVectorsView x, const Step
   }
   CriticalStep step{safeStep(upper, limit), optimistic,         ring.last().highestElement, safeBy,
                     top.method(),           ring.last().lowest, ring.last().lowestElement};
+  step.dampingShare = top.quotient.dampingShare();
   if (body.discreteForces() && lower.value > 0 && mode.squaredNorm() > 0) {
     const NodeVectors v = mode * body.lumpedMass().cwiseSqrt().cwiseInverse().asDiagonal();
     step.discreteShare = body.discreteForces()->form(x, v) / (lower.value * mode.squaredNorm());

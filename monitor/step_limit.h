@@ -85,6 +85,8 @@ struct CriticalStep {
   /// The share of the top mode's energy that springs and contact hold, as far as that mode is known: above one half
   /// they set the step, and not the controlling element.
   double discreteShare = 0;
+  /// Likewise what dashpots and damped elements hold at the step that their damping counts for.
+  double dampingShare = 0;
 
   /// Whether the tangent is proven to have a direction of negative stiffness, which no step cures.
   bool indefinite() const { return lowestRing < 0; }
@@ -95,7 +97,7 @@ struct CriticalStep {
   template <class Archive>
   void archive(Archive& a) {
     a(safe, optimistic, controlling, safeBy, optimisticBy, lowestRing, lowestRingElement, probable, poorlyConditioned,
-      worstConditioned, discreteShare);
+      worstConditioned, discreteShare, dampingShare);
   }
 };
 /// The side of the bracket made from a bound: the types say which.

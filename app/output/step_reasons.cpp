@@ -24,6 +24,8 @@ using Json = nlohmann::ordered_json;
 
 /// What counts as making a step small, as a factor of the step or of the wave speed.
 constexpr double worthNaming = 1.25;
+/// The share of the top mode's energy whose loss is worth naming.
+constexpr double worthShare = 1 - 1 / (worthNaming * worthNaming);
 /// Sides of a bracket that only contact which can begin puts so far apart.
 constexpr double openBracket = 1.5;
 /// Of the median element's own step: elements below are few in a mesh that is even.
@@ -84,7 +86,10 @@ Json massFor(const Body& body, const StepRule& rule, const MetricResult& ring, c
   }
   double added = 0;
   for (const auto& [node, factor] : factors) added += (factor - 1) * body.lumpedMass()[node];
-  return Json{{"added", added}, {"share", added / body.totalMass()}, {"materials", numbers}};
+  return Json{{"added", added},
+              {"share", added / body.totalMass()},
+              {"by_command", takesBody(SceneUse::scaleMass, body)},
+              {"materials", numbers}};
 }
 
 /// A sentence on each fault.
@@ -92,15 +97,17 @@ std::string faultText(StepFault fault, const Json& why) {
   const auto number = [&](const char* key) { return why[key].get<double>(); };
   switch (fault) {
     case StepFault::penalty:
-      if (!(number("discrete_share") > 0.5))
+      if (!(number("discrete_share") > worthShare))
         return "Contact that can begin counts as if it touched already: a softer penalty gives a larger step.";
       return fmt::format(
           "Springs or contact hold {:.0f} % of the energy of the top mode: a softer penalty, or softer springs, give a "
           "larger step.",
           100 * number("discrete_share"));
     case StepFault::damping:
-      return fmt::format("Damping takes {:.0f} % of the step: less of it gives up to {:.4g} s.",
-                         100 * number("damping_share"), number("safe") / (1 - number("damping_share")));
+      return fmt::format("Damping takes {:.0f} % of the step{}.", 100 * number("damping_share"),
+                         why["undamped_step"].is_null()
+                             ? ""
+                             : fmt::format(": less of it gives up to about {:.3g} s", number("undamped_step")));
     case StepFault::poisson:
       return fmt::format("Poisson's ratio {:.4g} makes these waves {:.2g} times as fast as {} would.",
                          number("poisson"), number("poisson_factor"), usualPoisson);
@@ -117,6 +124,10 @@ std::string faultText(StepFault fault, const Json& why) {
 bool has(const Json& why, StepFault fault) {
   return std::ranges::find(why["faults"], stepFaultNames.nameOf(fault)) != why["faults"].end();
 }
+/// Whether springs, contact or dashpots set the step, which no other elements cure.
+bool isDiscrete(const Json& why) {
+  return has(why, StepFault::penalty) || why["discrete_share"].get<double>() > worthShare;
+}
 
 /// What the element is like, beside the others.
 std::string elementSentence(const Json& why) {
@@ -131,7 +142,7 @@ std::string elementSentence(const Json& why) {
 std::vector<std::string> remedySentences(const Json& why) {
   const Json& remesh = why["remesh"];
   if (remesh.is_null()) {
-    if (why["median_step"].is_null() || has(why, StepFault::penalty)) return {};
+    if (why["median_step"].is_null() || isDiscrete(why)) return {};
     return {
         "No few elements are in the way: a larger step takes larger elements, slower waves or an implicit integrator."};
   }
@@ -143,9 +154,10 @@ std::vector<std::string> remedySentences(const Json& why) {
                   shapes.empty() ? "" : shapes + "; ", remesh["numbers"].get<std::string>(), step,
                   remesh["proven"] ? "proven" : "about what is left", step / why["safe"].get<double>())};
   const Json &mass = why["mass"], &materials = mass["materials"];
-  std::string more = fmt::format("Or add some {:.2g} kg to them, {:.2g} % of the mass{} (ringwatch scale-mass)",
+  std::string more = fmt::format("Or add some {:.2g} kg to them, {:.2g} % of the mass{} ({})",
                                  mass["added"].get<double>(), 100 * mass["share"].get<double>(),
-                                 materials.size() == 1 ? fmt::format(", in material {}", materials[0].get<int>()) : "");
+                                 materials.size() == 1 ? fmt::format(", in material {}", materials[0].get<int>()) : "",
+                                 mass["by_command"].get<bool>() ? "ringwatch scale-mass" : "[[mass]] of a scene");
   if (!why["handler"].is_null())
     more += fmt::format(", or take handler.method = \"{}\"{}", why["handler"].get<std::string>(),
                         share <= fewInTheWay ? "; ringwatch advise measures what pays" : std::string(shareText(share)));
@@ -188,19 +200,21 @@ Json stepReasons(const Body& body, NodeVectorsView x, const StepRule& rule, cons
   const double speed = material.waveSpeed(), slowest = slowestWave(body),
                height = characteristicLength(block.element(), x, block.nodesOf(element.element),
                                              CharacteristicLength::usual),
-               undamped = stepFor(rule.lambdaFor(step.safe), integrator.imaginaryLimit);
+               lambda = rule.lambdaFor(step.safe), ofDamping = step.dampingShare * lambda,
+               undamped = stepFor(lambda - ofDamping, integrator.imaginaryLimit),
+               damped = rule.optimistic({lambda, ofDamping, ofDamping});
   const Lame rest = material.restModuli();
   const double poisson = 0.5 * rest.lambda / (rest.lambda + rest.mu),
                faster = std::sqrt(wavesOverYoung(poisson) / wavesOverYoung(usualPoisson)),
-               damping = 1 - step.safe / undamped;
+               damping = 1 - damped / undamped, ofSprings = step.discreteShare - step.dampingShare;
   const ElementCause cause = elementCause(body, x, element);
   Json faults = Json::array();
   const auto blame = [&](StepFault fault, bool guilty) {
     if (guilty) faults.push_back(std::string(stepFaultNames.nameOf(fault)));
   };
-  blame(StepFault::penalty, step.discreteShare > 0.5 || (body.discreteForces() && body.discreteForces()->hasContact() &&
-                                                         step.optimistic > openBracket * step.safe));
-  blame(StepFault::damping, worthNaming * step.safe < undamped);
+  blame(StepFault::penalty, ofSprings > worthShare || (body.discreteForces() && body.discreteForces()->hasContact() &&
+                                                       step.optimistic > openBracket * step.safe));
+  blame(StepFault::damping, worthNaming * damped < undamped);
   blame(StepFault::strain, !cause.finite || cause.leastDeterminant <= 0 ||
                                std::max(cause.largestStretch, 1 / cause.leastStretch) >= worthNaming);
   blame(StepFault::shape, cause.badlyShaped() && cause.shape.shape != ShapeClass::small);
@@ -214,10 +228,11 @@ Json stepReasons(const Body& body, NodeVectorsView x, const StepRule& rule, cons
               {"height", height},
               {"wave_speed", speed},
               {"slowest_wave", slowest},
-              {"wave_step", rule(std::pow(2 * speed / height, 2))},
+              {"wave_step", stepFor(std::pow(2 * speed / height, 2), integrator.imaginaryLimit)},
               {"poisson", poisson},
               {"poisson_factor", faster},
               {"damping_share", damping},
+              {"undamped_step", numberOrNull(undamped)},
               {"discrete_share", step.discreteShare},
               {"faults", std::move(faults)}};
 }
@@ -242,7 +257,7 @@ void addRemedies(Json& why, const Body& body, NodeVectorsView x, const StepRule&
     while (few < steps.size() && steps[few].step < least) ++few;
     if (few == 0) few = steps.size() / worstOf;
     const double gain = few > 0 ? steps[few].step / steps.front().step : 1;
-    if (gain > worthDoing && !has(why, StepFault::penalty)) {
+    if (gain > worthDoing && !isDiscrete(why)) {
       ElementsInTheWay small;
       for (std::size_t i = 0; i < few; ++i) small.all.push_back(steps[i].element);
       const bool taken = whyNoHandlers(body, integrator).empty(),

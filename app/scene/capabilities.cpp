@@ -33,6 +33,9 @@ bool dashpotsIn(const Scene& s) {
   return !s.massDampings.empty() || std::ranges::any_of(s.springs, [](const auto& one) { return one.damping > 0; }) ||
          std::ranges::any_of(s.contacts, [](const auto& one) { return one.damping > 0 || one.friction > 0; });
 }
+bool rubs(const Scene& s) {
+  return std::ranges::any_of(s.contacts, [](const auto& one) { return one.friction > 0; });
+}
 bool changesInTime(const Scene& s) {
   const auto hasTable = [](const auto& one) { return one.table.has_value(); };
   return !s.pressures.empty() || std::ranges::any_of(s.moves, &Scene::Move::changes) ||
@@ -79,6 +82,7 @@ constexpr FeatureInfo features[] = {
      statesAlone},
     {F::dashpots, F::discrete, "dashpots and friction", "mass_damping spring.damping contact.damping contact.friction",
      dashpotsIn, highestModeBinds, proven},
+    {F::friction, F::discrete, "friction", "contact.friction", rubs},
     {F::elementDamping, F::elementDamping, "elements that damp",
      "damping.bulk_viscosity material.mass_damping material.stiffness_damping material.shear_viscosity "
      "material.volume_viscosity material.hourglass_viscosity",
@@ -104,6 +108,9 @@ constexpr FeatureInfo features[] = {
        return std::ranges::any_of(s.pointMasses, [](const auto& m) { return m.nodal.has_value(); });
      }},
     {F::certificates, F::certificates, "certificates along a run", "monitor.certificates", has<&Scene::certificates>},
+    {F::mustCertify, F::mustCertify, "runs that must be certified", "monitor.require_certified",
+     has<&Scene::requireCertified>},
+    {F::gaps, F::gaps, "steps that are not observed", "monitor.every", [](const Scene& s) { return s.every > 1; }},
     {F::savedStates, F::savedStates, "saved states", "output.checkpoint_every monitor.on_violation",
      [](const Scene& s) { return s.checkpointInterval || s.onViolation == OnViolation::repeat; }, isExplicit,
      wholeState},
@@ -144,6 +151,8 @@ constexpr Conflict conflicts[] = {
      forces | F::uniformStrain | F::otherLaws,
      "files of proofs know undamped elements alone, by Young's modulus and full quadrature"},
     {{F::certificates}, {F::erosion}, "certificates along a run are of one body"},
+    {{F::certificates, F::mustCertify}, {F::noBracket}, "what is certified is proven by a bracket"},
+    {{F::mustCertify}, {F::gaps}, "nothing is proven of the steps between two observations"},
     {{F::savedStates}, {F::handler, F::cuts, F::erosion}, wholeState},
     {{F::repeat}, {F::checkpoints}, "a checkpoint would hold a state that is taken back"},
 };
@@ -194,6 +203,7 @@ constexpr Limit limits[] = {
     {{U::compare}, {F::cuts}, ways},
     {{U::suggest}, {F::surfaces}, "which faces come to touch is known along a run alone"},
     {{U::stretch}, {F::elementDamping}, "what damps is not bounded over a range of stretches"},
+    {{U::stretch}, {F::friction}, "its damping grows with the depth to which nodes come"},
     {{U::scaleMass}, forces, "it weighs the stiffness of elements alone"},
     {{U::audit}, forces, "it audits undamped elements alone"},
     {{U::audit}, {F::cuts, F::erosion}, "the states that it is given are of elements that stay"},
@@ -202,8 +212,8 @@ constexpr Limit limits[] = {
     {{U::suggest}, {F::handler}, "without the handler; with it larger steps are possible", left, told},
     {{U::compare, U::advise, U::scaleMass, U::audit}, {F::handler}, "it tries handlers of its own, or none", left},
     {commands,
-     watching | F::noBracket | F::metric | F::budget | F::certificates | F::savedStates | F::reduceStep | F::hold |
-         F::fields,
+     watching | F::noBracket | F::metric | F::budget | F::certificates | F::mustCertify | F::gaps | F::savedStates |
+         F::reduceStep | F::hold | F::fields,
      "it is of a run", left},
 };
 

@@ -26,6 +26,7 @@ enum class Feature {
   surfaces,
   movingObstacles,
   dashpots,
+  friction,
   elementDamping,
   rayleigh,
   stiffnessDamping,
@@ -37,6 +38,8 @@ enum class Feature {
   otherLaws,
   nodalMass,
   certificates,
+  mustCertify,
+  gaps,
   savedStates,
   repeat,
   reduceStep,
@@ -159,6 +162,8 @@ std::vector<std::string> notesOfOmissions(const Scene& scene, SceneUse use);
 /// violation; "" where one does.
 std::string whyNoHandlers(const Body& body, const IntegratorInfo& integrator);
 std::string whyNoHandlers(Scene scene);
+/// Whether a use takes what a body has.
+bool takesBody(SceneUse use, const Body& body);
 /// The key of [damping] that a handler does not work with, and why; both "" where it works with this damping.
 std::pair<std::string_view, std::string> dampingRefusedBy(const HandlerInfo& handler, const RayleighDamping& damping);
 

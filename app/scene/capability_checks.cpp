@@ -48,6 +48,14 @@ Features featuresOf(const Scene& scene) {
   return all;
 }
 
+Features featuresOf(const Body& body) {
+  Features all{};
+  if (body.discreteForces()) all.add(F::discrete);
+  if (body.elementDamping()) all.add(F::elementDamping);
+  if (!body.constraints().rigidBodies().empty()) all.add(F::rigid);
+  return all;
+}
+
 /// What keeps a feature from what has others: a part of it, or the integrator (nullptr).
 struct Obstruction {
   const FeatureInfo* by;
@@ -182,12 +190,15 @@ std::vector<std::string> notesOfOmissions(const Scene& scene, SceneUse use) {
   return notes;
 }
 
+bool takesBody(SceneUse use, const Body& body) {
+  const Features all = featuresOf(body);
+  return std::ranges::none_of(sceneFeatures(), [&](const FeatureInfo& info) {
+    return all.has(info.feature) && capability(info.feature, use).fate == Fate::refused;
+  });
+}
+
 std::string whyNoHandlers(const Body& body, const IntegratorInfo& integrator) {
-  Features all{};
-  if (body.discreteForces()) all.add(F::discrete);
-  if (body.elementDamping()) all.add(F::elementDamping);
-  if (!body.constraints().rigidBodies().empty()) all.add(F::rigid);
-  const auto found = obstruction(F::handler, all, integrator);
+  const auto found = obstruction(F::handler, featuresOf(body), integrator);
   return found ? notTogether(F::handler, *found, integrator.name) : "";
 }
 

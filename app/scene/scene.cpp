@@ -214,17 +214,6 @@ void readIntegratorSection(const SceneTable& integrator, const SceneTable& monit
     scene.mode = MonitorMode::metric;
     scene.metric.clear();
   }
-  if (scene.requireCertified && !scene.proves())
-    fail(monitor.at("require_certified").origin, "monitor.require_certified",
-         "true needs a proof: monitor.mode = \"bracket\" or \"threshold\", and an integrator with a critical step");
-  if (scene.requireCertified && scene.every > 1)
-    fail(monitor.at("require_certified").origin, "monitor.require_certified",
-         fmt::format("true needs monitor.every = 1, not {}: nothing is proven of the steps between two observations",
-                     scene.every));
-  if (scene.certificates && !scene.proves())
-    fail(monitor.at("certificates").origin, "monitor.certificates",
-         "certificates are of what is proven: monitor.mode = \"bracket\" or \"threshold\", and an integrator with a "
-         "critical step");
 }
 
 /// The keys of [handler] that the handler declares.
@@ -486,14 +475,17 @@ void readErosion(const SceneTable& section, Scene& scene) {
   scene.erosion = erosion;
 }
 
-/// Scene::places: keys that are false, 0 or "none" switch nothing on.
+/// Scene::places: keys that are false, 0 or "none" switch nothing on, but some switch off what is on without them.
 std::map<std::string, std::string> placesOf(const std::vector<SceneTable>& sections) {
   const Json off[] = {false, 0, "none"};
   std::map<std::string, std::string> places;
   for (const SceneTable& section : sections) {
     places.emplace(section.name, section.origin);
     for (const auto& [key, entry] : section.entries)
-      if (entry.given && std::ranges::find(off, entry.value) == std::end(off))
+      if (entry.given && (std::ranges::find(off, entry.value) == std::end(off) ||
+                          std::ranges::any_of(sceneKeys(), [&](const SceneKey& known) {
+                            return known.section == section.name && known.key == key && known.fallback == "true";
+                          })))
         places.emplace(section.name + "." + key, entry.origin);
   }
   return places;

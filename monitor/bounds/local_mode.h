@@ -49,6 +49,8 @@ class LocalMode {
   ElementRef highestElement() const { return highest_; }
   /// The share of the mode's energy that springs and contact hold, of the last evaluation.
   double discreteShare() const { return discreteShare_; }
+  /// Likewise what damping holds.
+  double dampingShare() const { return last_.dampingShare(); }
   /// Searches highestElement() in the mode as it is now, at the positions of the last evaluation (3×N, m).
   void searchHighest(NodeVectorsView x);
 

@@ -151,6 +151,7 @@ const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const S
                        lowestHere_.value,
                        lowestHere_.element};
   step_->discreteShare = local_.discreteShare();
+  step_->dampingShare = local_.dampingShare();
   nodal_.noteFrom(lower);
   if (!step_->isBracket()) step_.reset();
   return step_;
@@ -286,6 +287,7 @@ void RunBracket::nameGoverning(NodeVectorsView x) {
   local_.searchHighest(x);
   step_->controlling = local_.highestElement();
   step_->discreteShare = local_.discreteShare();
+  step_->dampingShare = local_.dampingShare();
 }
 
 void RunBracket::forget() {

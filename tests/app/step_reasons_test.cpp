@@ -145,6 +145,51 @@ TEST_F(Program, DampingAndContactAreNamedWhereTheySetTheStep) {
   EXPECT_THAT(sprung.out, HasSubstr("% of the energy of the top mode: a softer penalty"));
 }
 
+// What damping takes is that of the mode: the same whichever step the scene gives, above the critical one or below.
+TEST_F(Program, DampingOfElementsAndNodesIsNamedAtAnyStep) {
+  folder_.write("tiny.toml", tiny);
+  folder_.write("dashpot.toml", tiny + std::string("[[spring]]\nwhere = \"x > 0.04 and x < 0.06\"\nstiffness = 0\n"
+                                                   "damping = 20\n"));
+  const auto report = [&](const std::string& scene, const std::string& settings) {
+    const Outcome outcome = call("suggest " + scene + " --frame 0.02 --json -" + settings);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return parse(outcome.out);
+  };
+  const double plain = report("tiny.toml", "")["start"]["safe"];
+  for (const std::string damping :
+       {"tiny.toml --set material.stiffness_damping=2e-3", "tiny.toml --set material.mass_damping=2000",
+        "tiny.toml --set damping.bulk_viscosity=true --set damping.linear_bulk_viscosity=1", "dashpot.toml"}) {
+    double share = 0;
+    for (const char* step : {"1e-5", "1e-3", "1e-2"}) {
+      const Json found = report(damping, std::string(" --set integrator.step=") + step), &why = found["why"];
+      EXPECT_THAT(why["faults"], Contains("damping")) << damping;
+      EXPECT_THAT(why["faults"], testing::Not(Contains("penalty"))) << damping;
+      if (share == 0) share = why["damping_share"];
+      EXPECT_NEAR(why["damping_share"].get<double>(), share, 1e-3) << damping << " " << step;
+      // Without damping no step is larger than the one that is promised.
+      EXPECT_GT(why["undamped_step"].get<double>(), 0.98 * plain) << damping;
+      EXPECT_NEAR(why["wave_step"].get<double>(), why["height"].get<double>() / why["wave_speed"].get<double>(), 1e-12);
+    }
+  }
+}
+
+// Remedies are those that the table of what goes together takes.
+TEST_F(Program, MassIsAdvisedByTheCommandThatTakesTheBody) {
+  folder_.write("row.inp", row({0.01, 0.01, 0.001, 0.01, 0.01, 0.01}));
+  const std::string scene =
+      "[mesh]\nfile = \"row.inp\"\n[material]\nmodel = \"stvk\"\nyoung = 30e3\npoisson = 0.3\ndensity = "
+      "1000\n[integrator]\nstep = \"auto\"\nend = 1\n";
+  for (const auto& [more, taken] : {std::pair<const char*, bool>{"", true},
+                                    {"[[spring]]\nwhere = \"x > 0.04\"\nstiffness = 1\n", false},
+                                    {"[damping]\nbulk_viscosity = true\n", false}}) {
+    folder_.write("row.toml", scene + more);
+    const Outcome outcome = call("suggest row.toml --frame 1 --json row.json");
+    EXPECT_EQ(json("row.json")["why"]["mass"]["by_command"], taken) << more;
+    EXPECT_THAT(outcome.out, HasSubstr(taken ? "(ringwatch scale-mass)" : "([[mass]] of a scene)"));
+    EXPECT_EQ(call("scale-mass row.toml --step 1e-4").status == 2, !taken) << more;
+  }
+}
+
 TEST_F(Program, RunSaysWhyOfItsLeastSafeStep) {
   folder_.write("tiny.toml", tiny);
   const Outcome outcome = call("run tiny.toml --out r");

@@ -108,6 +108,6 @@ expect 1 "$ringwatch" run run.toml --out run --set monitor.mode=bracket --set mo
 [[ $(ls run/certificates | wc -l) == 3 ]] || fail "first, and before and at the violated step: $(ls run/certificates)"
 expect 2 "$ringwatch" run run.toml --out other --set monitor.certificates=0
 expect 2 "$ringwatch" run run.toml --out other --set monitor.mode=metric --set monitor.metric=single-element
-[[ $out == *"monitor.certificates: certificates are of what is proven"* && ! -e other ]] || fail "$out"
+[[ $out == *"certificates along a run do not go with runs without a bracket"* && ! -e other ]] || fail "$out"
 expect 2 "$ringwatch" run run.toml --out other --set handler.method=imex
 [[ $out == *"certificates are of the whole body"* ]] || fail "$out"
