@@ -57,8 +57,9 @@ void print(const check::Verdict& verdict) {
               verdict.largest[2], verdict.displaced);
   std::printf("  hash        %016llx\n", static_cast<unsigned long long>(verdict.hash));
   if (verdict.sigma != 0)
-    std::printf("  lambda      <= %s rad2/s2; stable up to the step 2/sqrt(lambda) = %s s\n",
-                boundText(verdict.sigma, true).c_str(), stepText(verdict.sigma, true).c_str());
+    std::printf(
+        "  lambda      <= %s rad2/s2; where no eigenvalue is negative, stable up to the step 2/sqrt(lambda) = %s s\n",
+        boundText(verdict.sigma, true).c_str(), stepText(verdict.sigma, true).c_str());
   if (verdict.lower != 0)
     std::printf("  lambda      >= %s rad2/s2; unstable above 2/sqrt(lambda) = %s s\n",
                 boundText(verdict.lower, false).c_str(), stepText(verdict.lower, false).c_str());

@@ -402,7 +402,8 @@ Json costJson(const FactorisationCost& cost) {
 }
 
 /// Both sides of the critical step by a factorisation; what it proved.
-ProvenSides reportExactStep(const Subject& subject, const InspectOptions& options, InspectResult& result) {
+ProvenSides reportExactStep(const Subject& subject, const CriticalStep& bracket, const InspectOptions& options,
+                            InspectResult& result) {
   ProgressLine progress(true);
   FactorisationCost cost{};
   // With damping up to twice as much of the tolerance becomes that of the step.
@@ -420,9 +421,9 @@ ProvenSides reportExactStep(const Subject& subject, const InspectOptions& option
   json = Json{{"safe", exact->safe}, {"optimistic", exact->optimistic}, {"factorisations", exact->factorisations}};
   json.update(costJson(cost));
   result.text += fmt::format(
-      "  exact       {:.10g} to {:.10g} s   proven stable up to the first and unstable above the second, by a "
+      "  exact       {:.10g} to {:.10g} s   proven {} up to the first and unstable above the second, by a "
       "factorisation of {:.3g} million numbers\n",
-      exact->safe, exact->optimistic, 1e-6 * cost.numbers);
+      exact->safe, exact->optimistic, stableUpTo(bracket), 1e-6 * cost.numbers);
   return exact->sides;
 }
 
@@ -446,15 +447,8 @@ void reportRange(const Subject& subject, StretchRange stretch, InspectResult& re
   for (const ModulusRange& modulus : range.modulus) json["modulus"].push_back(modulus.bound);
   result.text += fmt::format(
       "stretches {:.4g} to {:.4g}: {:.10g} s   proven stable in every state whose stretches stay between "
-      "these\n",
+      "these and whose tangent is not indefinite\n",
       stretch.low, stretch.high, range.safe);
-}
-
-std::string proofText(Verdict verdict, const CriticalStep& bracket) {
-  return verdict == Verdict::certified  ? "proven stable"
-         : verdict == Verdict::violated ? "proven unstable"
-         : bracket.indefinite()         ? fmt::format("not proven stable ({})", indefiniteText(bracket))
-                                        : "neither proven stable nor unstable";
 }
 
 /// Whether one step is stable, by a factorisation; what it proved.
@@ -469,7 +463,7 @@ ProvenSides reportProof(Subject& subject, double h, const CriticalStep& bracket,
   result.json["prove"] = Json{{"step", h}, {"verdict", std::string(verdictName(verdict))}};
   result.json["prove"].update(costJson(cost));
   result.text += fmt::format("h = {:.10g} s: {}, by a factorisation of {:.3g} million numbers\n", h,
-                             proofText(verdict, bracket), 1e-6 * cost.numbers);
+                             verdictText(verdict, bracket), 1e-6 * cost.numbers);
   if (verdict == Verdict::violated) result.status = ExitStatus::unstable;
   if (verdict == Verdict::notCertified) result.status = ExitStatus::notCertified;
   return sides;
@@ -533,8 +527,10 @@ std::string headOfBracket(const std::string& state, const std::string& model, co
 
 /// Both sides, the safe one first; between: what is told between them.
 void reportSides(const CriticalStep& step, const std::string& between, InspectResult& result) {
-  result.json["critical_step"] = Json{{"safe", step.safe}, {"optimistic", step.optimistic}};
-  result.text += fmt::format("  safe        {:.10g} s   proven stable up to here, by {}\n", step.safe, step.safeBy);
+  result.json["critical_step"] =
+      Json{{"safe", step.safe}, {"optimistic", step.optimistic}, {"indefinite", step.indefinite()}};
+  result.text +=
+      fmt::format("  safe        {:.10g} s   proven {} up to here, by {}\n", step.safe, stableUpTo(step), step.safeBy);
   result.text += between;
   result.text +=
       fmt::format("  optimistic  {:.10g} s   proven unstable above, by {}\n", step.optimistic, step.optimisticBy);
@@ -556,9 +552,8 @@ CriticalStep reportBracket(const Subject& subject, const InspectOptions& options
   text += headOfBracket(subject.state, subject.model(), *subject.integrator, subject.damped());
   std::string probable;
   if (step.probable)
-    probable =
-        fmt::format("  probable    {:.10g} s   stable up to here with probability 1 - {:.3g}, {} tangent products\n",
-                    step.probable->safe, step.probable->eta, step.probable->products);
+    probable = fmt::format("  probable    {:.10g} s   {} up to here with probability 1 - {:.3g}, {} tangent products\n",
+                           step.probable->safe, stableUpTo(step), step.probable->eta, step.probable->products);
   reportSides(step, probable, result);
   if (step.probable)
     result.json["critical_step"]["probable"] = Json{{"safe", step.probable->safe}, {"eta", step.probable->eta}};
@@ -605,7 +600,7 @@ void reportStep(const Subject& subject, const std::vector<MetricResult>& metrics
   const Json& counts = result.json["ill_shaped"]["by_metric"];
   result.text +=
       fmt::format("at h = {:.6g} s: {}; {} of {} elements forbid it by their reduced 1-ring, {} as single elements\n",
-                  h, proofText(verdictOfState(h, step), step), counts["reduced-1-ring"].get<std::size_t>(),
+                  h, verdictText(verdictOfState(h, step), step), counts["reduced-1-ring"].get<std::size_t>(),
                   subject.body.mesh().elementCount(), counts["single-element"].get<std::size_t>());
 }
 
@@ -624,8 +619,8 @@ void reportDistribution(const Subject& subject, const std::vector<MetricResult>&
 }
 
 /// Of what a factorisation has proven, where one was asked for, else of the bracket.
-void writeCertificate(const Subject& subject, const InspectOptions& options, const ProvenSides& sides,
-                      InspectResult& result) {
+void writeCertificate(const Subject& subject, const CriticalStep& bracket, const InspectOptions& options,
+                      const ProvenSides& sides, InspectResult& result) {
   const bool factored = options.exact || options.prove;
   if (factored && sides.upper.value == 0 && sides.lower.value == 0) {
     result.text += "certificate: not written, since nothing is proven\n";
@@ -641,7 +636,7 @@ void writeCertificate(const Subject& subject, const InspectOptions& options, con
   std::string proven;
   if (certificate.upper.value > 0) {
     json["safe"] = safeStep(certificate.upper, subject.rule());
-    proven += fmt::format(", stable up to {:.10g} s", json["safe"].get<double>());
+    proven += fmt::format(", {} up to {:.10g} s", stableUpTo(bracket), json["safe"].get<double>());
   }
   if (certificate.lower.value > 0) {
     json["optimistic"] = optimisticStep(certificate.lower, subject.rule());
@@ -670,6 +665,7 @@ InspectResult inspectMesh(const InspectOptions& options) {
   const std::vector<std::string> wanted = metricsWanted(options.metrics, !options.bracket);
   checkOptions(options);
   Subject subject = subjectOf(options);
+  if (options.stretch) requireTaken(subject.scene, SceneUse::stretch);
   for (std::string& note : bodyNotes(subject.body)) subject.notes.push_back(std::move(note));
   const auto quality = meshQuality(subject.body.mesh());
 
@@ -684,7 +680,7 @@ InspectResult inspectMesh(const InspectOptions& options) {
   std::optional<double> globalStep;
   if (options.global) globalStep = reportGlobalStep(subject, options, result);
   ProvenSides sides;
-  if (options.exact) sides = reportExactStep(subject, options, result);
+  if (options.exact) sides = reportExactStep(subject, step, options, result);
   if (subject.scene.ofModel && subject.scene.step) answerOwnStep(subject, step, result);
   if (options.stretch) reportRange(subject, *options.stretch, result);
 
@@ -709,7 +705,7 @@ InspectResult inspectMesh(const InspectOptions& options) {
   if (options.step) reportStep(subject, metrics, step, *options.step, result);
   if (options.prove) sides = reportProof(subject, *options.prove, step, result);
   if (options.distribution || options.picture) reportDistribution(subject, metrics, step, options, result);
-  if (options.certificate) writeCertificate(subject, options, sides, result);
+  if (options.certificate) writeCertificate(subject, step, options, sides, result);
   if (options.vtu) writeMetricsVtu(*options.vtu, subject, metrics, step, options.step, quality);
   if (options.step) reportHandlerChoice(subject, *options.step, step, result);
   if (options.page)

@@ -26,18 +26,29 @@ std::string indefiniteText(const CriticalStep& bracket) {
                               : "";
 }
 
+std::string_view stableUpTo(const CriticalStep& bracket) {
+  return bracket.indefinite() ? "safe for the highest frequency alone" : "stable";
+}
+
+std::string verdictText(Verdict verdict, const CriticalStep& bracket, const std::string& mayBeStable) {
+  return verdict == Verdict::certified  ? "proven stable"
+         : verdict == Verdict::violated ? "proven unstable"
+         : bracket.indefinite()         ? fmt::format("not proven stable ({})", indefiniteText(bracket))
+         : mayBeStable.empty()          ? "neither proven stable nor unstable"
+                                        : fmt::format("not proven stable ({})", mayBeStable);
+}
+
+Verdict verdictOf(double step, const CriticalStep& bracket, const std::string& mayBeStable) {
+  const Verdict verdict = verdictOfState(step, bracket);
+  return verdict == Verdict::violated && !mayBeStable.empty() ? Verdict::notCertified : verdict;
+}
+
 StepAnswer answerStep(double step, const CriticalStep& bracket, const std::string& mayBeStable) {
-  Verdict verdict = verdictOfState(step, bracket);
-  if (verdict == Verdict::violated && !mayBeStable.empty()) verdict = Verdict::notCertified;
+  const Verdict verdict = verdictOf(step, bracket, mayBeStable);
   StepAnswer answer{Json{{"asked", step}, {"verdict", std::string(verdictName(verdict))}, {"steps", nullptr}}, ""};
   std::string& text = answer.text;
-  text = fmt::format("your timestep {:.6g} s is ", step);
-  text += verdict == Verdict::certified ? "proven stable"
-          : verdict == Verdict::violated
-              ? fmt::format("proven unstable, as is every one above {:.6g} s", bracket.optimistic)
-          : bracket.indefinite() ? "not proven stable: " + indefiniteText(bracket)
-          : mayBeStable.empty()  ? "neither proven stable nor unstable"
-                                 : fmt::format("not proven stable ({})", mayBeStable);
+  text = fmt::format("your timestep {:.6g} s is {}", step, verdictText(verdict, bracket, mayBeStable));
+  if (verdict == Verdict::violated) text += fmt::format(", as is every one above {:.6g} s", bracket.optimistic);
   if (bracket.indefinite()) {
     text += verdict == Verdict::violated ? "; " + indefiniteText(bracket) + "\n" : "\n";
     return answer;

@@ -1,8 +1,10 @@
 #pragma once
 #include <string>
+#include <string_view>
 
 #include <nlohmann/json.hpp>
 
+#include <ringwatch/monitor/stability_monitor.h>
 #include <ringwatch/monitor/step_limit.h>
 
 namespace ringwatch {
@@ -13,13 +15,20 @@ double stepsIn(double time, double h);
 /// "the tangent is indefinite, …: no step cures that", of a bracket for which it is; else "".
 std::string indefiniteText(const CriticalStep& bracket);
 
+/// What is proven of steps up to a safe one: "stable", or of an indefinite tangent what is left of that.
+std::string_view stableUpTo(const CriticalStep& bracket);
+/// What a bracket says of a step, s. mayBeStable: as in Scene; then nothing is proven unstable.
+Verdict verdictOf(double step, const CriticalStep& bracket, const std::string& mayBeStable);
+/// A verdict in words.
+std::string verdictText(Verdict verdict, const CriticalStep& bracket, const std::string& mayBeStable = "");
+
 /// What a bracket says of a step, one line.
 struct StepAnswer {
   nlohmann::ordered_json json;  // the contract of `timestep`
   std::string text;
 };
 /// Of a step, s: whether it is proven stable or unstable, the largest one that is proven stable, and how many substeps
-/// of it are. mayBeStable: as in Scene; then nothing is proven unstable.
+/// of it are.
 StepAnswer answerStep(double step, const CriticalStep& bracket, const std::string& mayBeStable);
 
 }  // namespace ringwatch

@@ -9,6 +9,7 @@
 #include <ringwatch/app/command/step_answer.h>
 #include <ringwatch/app/output/report.h>
 #include <ringwatch/app/output/step_reasons.h>
+#include <ringwatch/app/scene/capabilities.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/monitor/critical_step.h>
 #include <ringwatch/monitor/stability_monitor.h>
@@ -74,7 +75,7 @@ SuggestResult suggestSteps(const SuggestOptions& options) {
     for (const ModulusRange& modulus : range.modulus) own["modulus"].push_back(modulus.bound);
     result.text += fmt::format("  {:<25} {}\n",
                                fmt::format("stretches {:.4g} to {:.4g}", options.stretch->low, options.stretch->high),
-                               tellSteps(frame, range.safe, own));
+                               tellSteps(frame, range.safe, own) + " where the tangent is not indefinite");
   }
   if (scene.step) json["scene_step"] = *scene.step;
   if (scene.step && !options.frame) {
@@ -86,13 +87,9 @@ SuggestResult suggestSteps(const SuggestOptions& options) {
           fmt::format("ringwatch inspect {} --exact tells the critical step to a millionth", scene.file.string()));
   }
   if (scene.step && options.frame) {
-    const double own = stepsIn(frame, *scene.step);
-    result.text += fmt::format(
-        "  the step of the scene     {:.6g} s, {:.0f} steps: {} at its start\n", *scene.step, own,
-        bracket.indefinite()                                            ? "not proven stable"
-        : *scene.step <= bracket.safe                                   ? "proven stable"
-        : *scene.step > bracket.optimistic && scene.mayBeStable.empty() ? "proven unstable"
-                                                                        : "neither proven stable nor unstable");
+    const Verdict verdict = verdictOf(*scene.step, bracket, scene.mayBeStable);
+    result.text += fmt::format("  the step of the scene     {:.6g} s, {:.0f} steps: {} at its start\n", *scene.step,
+                               stepsIn(frame, *scene.step), verdictText(verdict, bracket, scene.mayBeStable));
   }
   if (!scene.contacts.empty())
     notes.emplace_back(

@@ -313,6 +313,8 @@ constexpr OutputField inspectionAlone[] = {
      "proven: every step up to it is stable for the tangent of this state; null where every step is", F::number,
      P::orNull},
     {"critical_step.optimistic", "s", "proven: every larger step is unstable for it", F::number, P::orNull},
+    {"critical_step.indefinite", "", "whether the tangent is proven to be, so that no step is proven stable",
+     F::boolean},
     {"critical_step.probable", "", "with --lanczos", F::object, P::sometimes},
     {"critical_step.probable.safe", "s", "stable but for the probability eta"},
     {"critical_step.probable.eta", "", "probability that it is not"},

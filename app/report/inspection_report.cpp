@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <ringwatch/app/command/step_answer.h>
 #include <ringwatch/app/output/frames.h>
 #include <ringwatch/app/output/step_reasons.h>
 #include <ringwatch/app/report/report_page.h>
@@ -48,9 +49,9 @@ PageVerdict verdictOf(const Inspection& inspection, const std::optional<RunAnaly
   else if (!(step.safe > 0) || step.indefinite())
     verdict.title = "No step is proven", verdict.tone = Tone::unsure;
   verdict.sentence = fmt::format(
-      "The critical step of the mesh {} lies between {} s, up to which it is proven stable, and {} s, above which "
+      "The critical step of the mesh {} lies between {} s, up to which it is proven {}, and {} s, above which "
       "it is proven unstable.{}",
-      inspection.state, stepRoundedDown(step.safe), stepRoundedUp(step.optimistic),
+      inspection.state, stepRoundedDown(step.safe), stableUpTo(step), stepRoundedUp(step.optimistic),
       reasonsText(inspection.json["why"], " ", ""));
   if (step.indefinite())
     verdict.sentence +=

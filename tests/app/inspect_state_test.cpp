@@ -131,6 +131,19 @@ TEST_F(Inspect, ProvesNoStepOfAnIndefiniteTangent) {
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("h = 1e-06 s: not proven stable (the tangent is indefinite, eigenvalue -"),
                                  HasSubstr("at h = 1e-06 s: not proven stable (the tangent is indefinite, "),
                                  HasSubstr("\n  the tangent is indefinite, eigenvalue -")));
+  // Whatever else proves a bound of the highest frequency calls no step stable.
+  const std::string proofs =
+      std::string("inspect state.vtu --displacement U --lanczos 1e-3 --stretch 0.4:1.1") + material;
+  for (const std::string& more : {std::string(" --exact --certificate a.rwc"), std::string(" --certificate a.rwc")}) {
+    const std::string text = call(proofs + more).out;
+    std::string claims = text;
+    for (const char* right : {"and whose tangent is not indefinite", "safe for the highest frequency alone"})
+      EXPECT_THAT(claims, HasSubstr(right));
+    std::istringstream lines(claims);
+    for (std::string line; std::getline(lines, line);)
+      EXPECT_TRUE(line.find(" stable ") == std::string::npos || line.find("indefinite") != std::string::npos) << line;
+  }
+  EXPECT_EQ(parse(asJson.out)["critical_step"]["indefinite"], true);
 }
 
 TEST_F(Inspect, TakesAFrameOfARun) {
