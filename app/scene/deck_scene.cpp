@@ -4,7 +4,6 @@
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <fstream>
 #include <map>
 #include <optional>
 #include <set>
@@ -17,6 +16,7 @@
 #include <ringwatch/app/scene/deck_writer.h>
 #include <ringwatch/app/scene/dyna_scene.h>
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/input_file.h>
 #include <ringwatch/base/user_text.h>
 
 namespace ringwatch {
@@ -1390,15 +1390,11 @@ class DeckReader : DeckWriter {
   std::set<std::string> noted_;
 };
 
-/// The first bytes of a file, enough for the comments before its first keyword; "" for none that can be read.
+/// The first bytes of a file, enough for the comments before its first keyword; "" for what is no file.
 std::string beginOf(const std::filesystem::path& file) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) return {};
-  std::ifstream stream(file, std::ios::binary);
-  std::string begin(std::size_t{64} << 10, '\0');
-  stream.read(begin.data(), static_cast<std::streamsize>(begin.size()));
-  begin.resize(static_cast<std::size_t>(std::max<std::streamsize>(stream.gcount(), 0)));
-  return begin;
+  return readBytes(file, {}, std::size_t{64} << 10);
 }
 
 }  // namespace

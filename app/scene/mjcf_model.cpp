@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <map>
 #include <memory>
 #include <numbers>
@@ -17,6 +16,7 @@
 #include <pugixml.hpp>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/input_file.h>
 #include <ringwatch/base/nearest_name.h>
 #include <ringwatch/base/sort_unique.h>
 #include <ringwatch/base/user_text.h>
@@ -882,10 +882,7 @@ std::vector<double> Flex::differentMasses() const {
 bool isMjcfFile(const fs::path& file) {
   std::error_code error;
   if (!fs::is_regular_file(file, error)) return false;
-  std::ifstream stream(file, std::ios::binary);
-  std::string begin(std::size_t{64} << 10, '\0');
-  stream.read(begin.data(), static_cast<std::streamsize>(begin.size()));
-  begin.resize(static_cast<std::size_t>(stream.gcount()));
+  const std::string begin = readBytes(file, {}, std::size_t{64} << 10);
   // Behind a declaration and comments the root element begins.
   std::string_view rest = begin;
   if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);
