@@ -396,7 +396,8 @@ struct RunCommand {
     for (std::string& note : bodyNotes(body)) options.notes.push_back(std::move(note));
     const RunResult result = runScene(description, body, options);
     watch.reset();
-    const bool cutShort = result.reason == ExitReason::interrupted;
+    // What ended it is what it says; what is missing behind that is of no moment.
+    const bool cutShort = result.canGoOn();
     try {
       std::string text = summaryText(description, body, result, options.folder);
       if (report || live)
@@ -1148,6 +1149,7 @@ ExitStatus dispatch(int argc, char** argv, const RankProgram* ranks) {
 
 int runCommandLine(int argc, char** argv, const RankProgram* ranks) {
   speaks = !ranks || ranks->speaks();
+  keepMemoryInReserve();
   holdStandardStreams();
   reportFileSizeLimit();
   const auto status = [&] {

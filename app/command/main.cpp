@@ -14,6 +14,7 @@
 #include <ringwatch/app/command/command_line.h>
 #include <ringwatch/app/command/exit_status.h>
 #include <ringwatch/app/command/launch.h>
+#include <ringwatch/app/command/process.h>
 #include <ringwatch/app/command/verify.h>
 #include <ringwatch/app/report/run_report.h>
 
@@ -70,6 +71,7 @@ int become(std::string_view name, char** argv) {
 }  // namespace ringwatch
 
 int main(int argc, char** argv) {
+  ringwatch::keepMemoryInReserve();
   if (const std::string_view program = ringwatch::programFor(argc, argv); !program.empty())
     return ringwatch::become(program, argv);
   return ringwatch::runCommandLine(argc, argv);

@@ -5,16 +5,20 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cctype>
 #include <charconv>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <new>
 #include <string_view>
 #include <thread>
 
 #include <fmt/format.h>
 
+#include <ringwatch/app/command/exit_status.h>
 #include <ringwatch/base/error.h>
 
 namespace ringwatch {
@@ -66,6 +70,29 @@ void holdStandardStreams() {
     // open() takes the lowest number that is free.
     if (::fcntl(stream, F_GETFD) < 0 && ::open("/dev/null", stream == STDERR_FILENO ? O_WRONLY : O_RDONLY) != stream)
       return;
+}
+
+void keepMemoryInReserve() {
+  constexpr std::size_t reserve = std::size_t{1} << 20;  // for what an end writes: messages, a summary
+  static std::atomic<char*> kept = nullptr;
+  static const std::terminate_handler abort = std::get_terminate();
+  if (std::get_new_handler()) return;
+  kept = new (std::nothrow) char[reserve];
+  std::set_new_handler([] {
+    const char* const given = kept.exchange(nullptr);
+    if (!given) throw std::bad_alloc();
+    delete[] given;
+  });
+  std::set_terminate([] {
+    try {
+      if (std::current_exception()) throw;
+    } catch (const std::bad_alloc&) {  // where nothing may throw, as in a destructor
+      std::fputs("ringwatch: out of memory; use a smaller mesh or more memory\n", stderr);
+      ::_exit(static_cast<int>(ExitStatus::unstable));
+    } catch (...) {
+    }
+    abort();
+  });
 }
 
 void reportFileSizeLimit() { std::signal(SIGXFSZ, SIG_IGN); }

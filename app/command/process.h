@@ -7,6 +7,10 @@ namespace ringwatch {
 /// would receive the messages. Writing to a standard output that was closed still fails.
 void holdStandardStreams();
 
+/// Keeps memory that is given back when there is no more, so that what ends then can say so; where it is spent too, an
+/// allocation that may not fail ends the program by its line.
+void keepMemoryInReserve();
+
 /// Makes writing beyond a limit on the size of files (`ulimit -f`) an error of the write instead of the program's end.
 void reportFileSizeLimit();
 

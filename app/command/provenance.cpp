@@ -9,6 +9,9 @@
 
 #include <fmt/format.h>
 
+#include <ringwatch/base/error.h>
+#include <ringwatch/base/input_file.h>
+
 namespace ringwatch {
 namespace {
 
@@ -39,11 +42,12 @@ std::string timeNow() {
 }
 
 nlohmann::ordered_json provenanceOf(const std::string& command, const std::filesystem::path& scene) {
-  std::ifstream file(scene, std::ios::binary);
-  nlohmann::ordered_json text = std::string{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  if (!file.is_open()) text = nullptr;
+  nlohmann::ordered_json text;
   try {
+    text = readBytes(scene);
     text.dump();
+  } catch (const InputError&) {  // it was there when it was read
+    text = nullptr;
   } catch (const nlohmann::json::type_error&) {  // not UTF-8
     text = nullptr;
   }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
 #include <iterator>
 #include <limits>
 #include <numeric>
@@ -13,6 +12,7 @@
 
 #include <ringwatch/app/scene/scene_discrete.h>
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/input_file.h>
 #include <ringwatch/body/discrete_forces.h>
 #include <ringwatch/body/element_stress.h>
 #include <ringwatch/meshes/adjacency.h>
@@ -50,10 +50,7 @@ std::vector<std::string> frameFieldNames() {
 
 std::vector<PvdEntry> framesOfRun(const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / "run.pvd";
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream)
-    throw InputError(fmt::format("{}: cannot read; a run writes it when its scene has output.every", file.string()));
-  const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  const std::string text = readBytes(file, "; a run writes it when its scene has output.every");
   std::vector<PvdEntry> entries;
   const auto attribute = [&](std::size_t from, const std::string& name) {
     const std::size_t begin = text.find(name + "=\"", from);

@@ -1,13 +1,13 @@
 #include <ringwatch/app/output/history.h>
 
 #include <cstdlib>
-#include <fstream>
 #include <sstream>
 
 #include <fmt/format.h>
 
 #include <ringwatch/app/output/output_fields.h>
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/input_file.h>
 
 namespace ringwatch {
 namespace {
@@ -51,7 +51,7 @@ void HistoryWriter::write(const HistoryRow& row) {
 
 std::vector<HistoryRow> readHistory(const std::filesystem::path& folder) {
   const std::filesystem::path path = folder / "history.csv";
-  std::ifstream file(path, std::ios::binary);
+  std::istringstream file(readBytes(path));
   std::string line;
   if (!std::getline(file, line) || line != heading())
     throw InputError(fmt::format("{}: is no history of this version", path.string()));

@@ -11,11 +11,8 @@ namespace {
 
 /// The file as it was after its first `bytes`.
 std::filesystem::path cutBack(const std::filesystem::path& file, std::size_t bytes) {
+  RowFile::requireBytes(file, bytes);
   std::error_code error;
-  const auto size = std::filesystem::file_size(file, error);
-  if (error || size < bytes)
-    throw InputError(fmt::format("{}: {}; the checkpoint needs its first {} bytes, begin the run again", file.string(),
-                                 error ? error.message() : fmt::format("has {} bytes", size), bytes));
   std::filesystem::resize_file(file, bytes, error);
   if (error) throw InputError(fmt::format("cannot write {}: {}", file.string(), error.message()));
   return file;
@@ -31,6 +28,14 @@ RowFile::RowFile(const std::filesystem::path& path, const std::string& heading)
 RowFile::RowFile(const std::filesystem::path& path, std::size_t bytes)
     : file_(cutBack(path, bytes), OutputFile::Mode::append, path.string()),
       flushed_(std::chrono::steady_clock::now()) {}
+
+void RowFile::requireBytes(const std::filesystem::path& file, std::size_t bytes) {
+  std::error_code error;
+  const auto size = std::filesystem::file_size(file, error);
+  if (error || size < bytes)
+    throw InputError(fmt::format("{}: {}; the checkpoint needs its first {} bytes, begin the run again", file.string(),
+                                 error ? error.message() : fmt::format("has {} bytes", size), bytes));
+}
 
 RowFile::~RowFile() {
   try {

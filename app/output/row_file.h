@@ -17,6 +17,8 @@ class RowFile {
   /// fewer.
   RowFile(const std::filesystem::path& path, std::size_t bytes);
   /// Writes what is left, in silence.
+  /// Throws InputError where a file has not so many bytes.
+  static void requireBytes(const std::filesystem::path& file, std::size_t bytes);
   ~RowFile();
   RowFile(const RowFile&) = delete;
   RowFile& operator=(const RowFile&) = delete;

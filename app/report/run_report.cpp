@@ -1,11 +1,8 @@
 #include <ringwatch/app/report/run_report.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstring>
-#include <fstream>
 #include <functional>
 #include <map>
 #include <utility>
@@ -17,6 +14,7 @@
 #include <ringwatch/app/report/json_read.h>
 #include <ringwatch/app/report/report_page.h>
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/input_file.h>
 
 namespace ringwatch {
 namespace {
@@ -27,14 +25,19 @@ using json_read::textOf;
 
 /// Null, with a note, when there is none or it is no object.
 Json readSummary(const std::filesystem::path& folder, std::vector<std::string>& notes) {
-  std::ifstream stream(folder / "summary.json", std::ios::binary);
-  if (!stream) {
-    const int reason = errno;
-    notes.push_back(reason == ENOENT ? "There is no summary.json: the run was killed, or still goes on."
-                                     : fmt::format("summary.json cannot be read: {}.", std::strerror(reason)));
+  const std::filesystem::path file = folder / "summary.json";
+  std::error_code error;
+  if (!std::filesystem::exists(file, error) && !error) {
+    notes.emplace_back("There is no summary.json: the run was killed, or still goes on.");
     return nullptr;
   }
-  Json summary = Json::parse(stream, nullptr, false);
+  Json summary;
+  try {
+    summary = Json::parse(readBytes(file), nullptr, false);
+  } catch (const InputError& fault) {
+    notes.push_back(fmt::format("{}.", fault.what()));
+    return nullptr;
+  }
   if (summary.is_object()) return summary;
   notes.emplace_back("summary.json is damaged and was left out.");
   return nullptr;

@@ -2,7 +2,6 @@
 
 #include <cerrno>
 #include <cstring>
-#include <fstream>
 #include <string>
 
 #include <fmt/format.h>
@@ -10,6 +9,7 @@
 #include <ringwatch/app/output/report.h>
 #include <ringwatch/base/atomic_file.h>
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/input_file.h>
 #include <ringwatch/base/pack.h>
 
 namespace ringwatch {
@@ -128,20 +128,10 @@ Checkpoint readCheckpoint(const std::filesystem::path& folder) {
   std::error_code error;
   if (!std::filesystem::is_directory(folder, error))
     throw InputError(fmt::format("{}: is no folder of a run", folder.string()));
-  errno = 0;
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream)
-    throw InputError(
-        fmt::format("{}: cannot read: {}; a run that is stopped by a signal or has output.checkpoint_every writes it, "
-                    "and removes it when it has reached its end",
-                    file.string(), std::strerror(errno)));
-  std::string text;
-  std::uintmax_t size = std::filesystem::file_size(file, error);
-  if (!error) {
-    text.resize(size);
-    stream.read(text.data(), static_cast<std::streamsize>(size));
-    text.resize(static_cast<std::size_t>(stream.gcount()));
-  }
+  const std::string text = readBytes(
+      file,
+      "; a run that is stopped by a signal or has output.checkpoint_every writes it, and removes it when it has "
+      "reached its end");
   std::uint64_t hash = 0, headSize = 0;
   if (text.starts_with(anyMark) && text.size() >= mark.size() && !text.starts_with(mark))
     throw InputError(

@@ -66,8 +66,7 @@ void RunOutput::beginFiles() {
 }
 
 void RunOutput::resume(const nlohmann::ordered_json& saved, std::int64_t step) {
-  // What throws comes first: the folder stays as it was then.
-  open_ = true;
+  // What may be refused comes first: the folder stays as it was then, and nothing has begun.
   if (scene_.frameInterval) {
     frames_.emplace(folder_, scene_, ofFrames_, rule_, pieces_);
     frames_->goOnBehind(saved.at("frames").get<std::vector<double>>());
@@ -75,9 +74,15 @@ void RunOutput::resume(const nlohmann::ordered_json& saved, std::int64_t step) {
     framesDue_ = saved.at("frames_due").get<std::int64_t>();
     lastFrame_ = saved.at("last_frame").get<std::int64_t>();
   }
+  const auto bytesOf = [&](const char* file) { return saved.at(file).get<std::size_t>(); };
+  if (body_) {
+    RowFile::requireBytes(folder_ / "history.csv", bytesOf("history"));
+    if (scene_.probed()) RowFile::requireBytes(folder_ / "probes.csv", bytesOf("probes"));
+  }
+  open_ = true;
   if (!body_) return;
-  history_.emplace(folder_, saved.at("history").get<std::size_t>());
-  if (scene_.probed()) probes_.emplace(folder_ / "probes.csv", saved.at("probes").get<std::size_t>());
+  history_.emplace(folder_, bytesOf("history"));
+  if (scene_.probed()) probes_.emplace(folder_ / "probes.csv", bytesOf("probes"));
   if (scene_.picture)
     for (const HistoryRow& row : readHistory(folder_)) keepForPicture(row);
   removeOldResults(folder_, {"summary.json", "critical_step.png", "critical_step.gp", "critical_step.dat"});

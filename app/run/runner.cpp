@@ -34,17 +34,23 @@ class Runner {
         progress_(options.progress) {}
 
   RunResult go() {
-    begin();
-    orFail([this] { step(); });
+    orFail([this] {
+      begin();
+      step();
+    });
     progress_.clear();
     if (run_.result.reason == ExitReason::interrupted)
       if (std::string note = checkpoints_.howToGoOn(); !note.empty()) run_.result.notes.push_back(std::move(note));
     orFail([this] { run_.finish(); });
     run_.result.files.emplace_back("summary.json");
+    const std::filesystem::path file = run_.options.folder / "summary.json";
     try {
-      writeFileAtomically(run_.options.folder / "summary.json", summary().dump(2) + "\n");
+      writeFileAtomically(file, summary().dump(2) + "\n");
     } catch (const std::exception& fault) {
-      throw RunFailed(run_.result.reason == ExitReason::failed ? run_.result.reasonText : faultText(fault));
+      throw RunFailed(run_.result.reason == ExitReason::failed ? run_.result.reasonText
+                      : dynamic_cast<const InputError*>(&fault)
+                          ? fault.what()
+                          : fmt::format("cannot write {}: {}", file.string(), faultText(fault)));
     }
     std::error_code ignored;
     if (!run_.result.canGoOn()) std::filesystem::remove(run_.options.folder / checkpointFile, ignored);
@@ -58,7 +64,8 @@ class Runner {
     try {
       work();
     } catch (const std::exception& fault) {
-      if (!run_.output->isOpen() && !dynamic_cast<const NumericalError*>(&fault)) throw;
+      if (!run_.output || (!run_.output->isOpen() && (!stepping_ || !dynamic_cast<const NumericalError*>(&fault))))
+        throw;
       if (run_.result.reason != ExitReason::failed)
         run_.end(ExitReason::failed, fmt::format("step {}: {}", run_.result.steps, faultText(fault)));
     }
@@ -77,6 +84,7 @@ class Runner {
 
   /// Steps until something ends the run.
   void step() {
+    stepping_ = true;
     stepsAtStart_ = run_.result.steps;
     for (std::int64_t k = run_.result.steps;; k = run_.result.steps) {
       run_.setLoads();
@@ -171,6 +179,7 @@ class Runner {
   RunForecast forecast_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::int64_t stepsAtStart_ = 0;
+  bool stepping_ = false;
 };
 
 }  // namespace

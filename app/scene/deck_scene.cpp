@@ -16,6 +16,7 @@
 #include <ringwatch/app/scene/deck_writer.h>
 #include <ringwatch/app/scene/dyna_scene.h>
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/input_file.h>
 #include <ringwatch/base/user_text.h>
 
 namespace ringwatch {

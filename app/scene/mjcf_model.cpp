@@ -16,6 +16,7 @@
 #include <pugixml.hpp>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/input_file.h>
 #include <ringwatch/base/nearest_name.h>
 #include <ringwatch/base/sort_unique.h>
 #include <ringwatch/base/user_text.h>

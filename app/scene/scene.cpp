@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 
 #include <fmt/format.h>
 
@@ -18,6 +17,7 @@
 #include <ringwatch/app/scene/scene_rigid.h>
 #include <ringwatch/app/scene/scene_sections.h>
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/input_file.h>
 #include <ringwatch/base/nearest_name.h>
 #include <ringwatch/base/user_text.h>
 #include <ringwatch/integrators/integrator.h>
@@ -666,10 +666,8 @@ Scene sceneOfModel(const std::filesystem::path& file, DeckUse use, const std::ve
 
 Scene sceneOfRun(const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / "summary.json";
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream)
-    throw InputError(fmt::format("{}: cannot read; it is there when a run has ended in this folder", file.string()));
-  const Json summary = Json::parse(stream, nullptr, false);
+  const Json summary =
+      Json::parse(readBytes(file, "; it is there when a run has ended in this folder"), nullptr, false);
   const auto echo = summary.is_object() ? summary.find("scene") : summary.end();
   if (!summary.is_object() || echo == summary.end() || !echo->is_object())
     throw InputError(fmt::format("{}: not the summary of a run; it has no \"scene\"", file.string()));

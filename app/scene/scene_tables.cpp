@@ -4,13 +4,13 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
-#include <fstream>
 
 #include <toml++/toml.h>
 
 #include <ringwatch/app/command/number_text.h>
 #include <ringwatch/app/scene/toml_text.h>
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/input_file.h>
 #include <ringwatch/base/nearest_name.h>
 #include <ringwatch/base/user_text.h>
 #include <ringwatch/meshes/formats/file_cursor.h>
@@ -135,14 +135,7 @@ class Reader {
     if (std::filesystem::is_character_file(status) || std::filesystem::is_block_file(status))
       throw InputError(fmt::format("{}: is a device; a scene file (TOML) is needed", file_.string()));
     constexpr std::size_t mostBytes = std::size_t{16} << 20;
-    errno = 0;
-    std::ifstream stream(file_, std::ios::binary);
-    std::string content(mostBytes + 1, '\0');
-    stream.read(content.data(), static_cast<std::streamsize>(content.size()));
-    content.resize(stream.gcount());
-    if (!stream.is_open() || stream.bad())
-      throw InputError(fmt::format("{}: cannot read: {}; a scene file (TOML) is needed", file_.string(),
-                                   errno != 0 ? std::strerror(errno) : "input error"));
+    const std::string content = readBytes(file_, "; a scene file (TOML) is needed", mostBytes + 1);
     if (isMeshFile(file_))
       throw InputError(
           fmt::format("{}: is a mesh; give a scene (TOML) with [mesh] file = {}, or call ringwatch inspect "

@@ -6,11 +6,11 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <fstream>
 #include <limits>
 #include <system_error>
 
 #include <ringwatch/base/byte_order_mark.h>
+#include <ringwatch/base/input_file.h>
 #include <ringwatch/base/machine_memory.h>
 
 namespace ringwatch::detail {
@@ -54,32 +54,17 @@ std::string readWholeFile(const std::filesystem::path& path) {
   const bool pipe = std::filesystem::is_fifo(status);
   if (!pipe && !std::filesystem::is_regular_file(status))
     throw InputError(name + ": cannot read: this is a device or a socket, a mesh file is needed");
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw InputError(name + ": cannot read: " + (errno != 0 ? std::strerror(errno) : "it does not open"));
-  std::string text;
-  if (pipe) {
-    constexpr std::size_t part = std::size_t{1} << 20;
-    while (file) {
-      const std::size_t before = text.size();
-      if (before > mostPipedBytes)
-        throw InputError(joinText(name, ": cannot read: more than ", mostPipedBytes >> 30,
-                                  " GiB come through the pipe; put the mesh into a file"));
-      text.resize(before + part);
-      file.read(text.data() + before, part);
-      text.resize(before + static_cast<std::size_t>(file.gcount()));
-    }
-  } else {
+  if (!pipe) {
     const std::uintmax_t size = std::filesystem::file_size(path, error);
     if (error) throw InputError(name + ": cannot read: " + error.message());
     if (size > machineMemory())
       throw InputError(joinText(name, ": cannot read: the file has ", size, " bytes, more than the memory of this ",
                                 "machine, ", machineMemory()));
-    text.resize(size);
-    file.read(text.data(), static_cast<std::streamsize>(size));
-    text.resize(file.gcount());
   }
-  if (file.bad()) throw InputError(name + ": cannot read: input/output error");
+  std::string text = pipe ? readBytes(path, {}, mostPipedBytes + 1) : readBytes(path);
+  if (pipe && text.size() > mostPipedBytes)
+    throw InputError(joinText(name, ": cannot read: more than ", mostPipedBytes >> 30,
+                              " GiB come through the pipe; put the mesh into a file"));
   text.erase(0, byteOrderMarkOf(text));
   if (text.empty()) throw InputError(name + ": the file is empty");
   if (text.starts_with("version https://git-lfs.github.com/"))
@@ -94,10 +79,7 @@ std::string readWholeFile(const std::filesystem::path& path) {
 std::string beginOfFile(const std::filesystem::path& path) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) return {};
-  std::ifstream file(path, std::ios::binary);
-  std::string begin(std::size_t{64} << 10, '\0');
-  file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
-  begin.resize(static_cast<std::size_t>(file.gcount()));
+  std::string begin = readBytes(path, {}, std::size_t{64} << 10);
   return begin.erase(0, byteOrderMarkOf(begin));
 }
 
