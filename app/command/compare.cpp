@@ -133,12 +133,12 @@ CompareResult compareScene(const CompareOptions& options) {
   for (const double h : options.steps)
     if (h > scene.end) throw InputError(fmt::format("--step: {} s is beyond the end of the scene, {} s", h, scene.end));
   for (const double h : options.steps)
-    if (const std::string fault = tooManySteps(h, scene.end); !fault.empty()) throw InputError("--step: " + fault);
+    if (const std::string fault = tooMany("steps", h, scene.end); !fault.empty()) throw InputError("--step: " + fault);
   std::vector<std::string> notes;
   const Body body = sceneBody(scene, sceneMesh(scene, notes), options.threads);
   const GlobalFrequency top = globalFrequency(body, body.mesh().X);
   if (!top.converged) throw NumericalError("compare: the highest frequency of the body did not converge");
-  if (const std::string fault = tooManySteps(2 / std::sqrt(top.lambda), scene.end); !fault.empty())
+  if (const std::string fault = tooMany("steps", 2 / std::sqrt(top.lambda), scene.end); !fault.empty())
     throw InputError(fmt::format("{}: integrator.end: the critical step of {}", scene.file.string(), fault));
   BodySystem system(body, scene.damping);
   const State start = sceneInitialState(scene, system);

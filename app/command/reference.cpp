@@ -208,24 +208,19 @@ std::string scenePage(const Commands&) {
             "A scene is a TOML file. Any consistent units will do; those that are named here are of the SI. "
             "`ringwatch help scene` prints the same, and `ringwatch schema scene` says it to programs and editors.");
   for (const SceneSection& section : sceneSections()) {
-    page.heading(section.list       ? fmt::format("[[{}]]", section.name)
-                 : section.alsoList ? fmt::format("[{0}] or [[{0}]]", section.name)
-                                    : fmt::format("[{}]", section.name),
-                 fmt::format("{}{}.", cell(section.help), section.required ? "; required" : ""));
-    for (const SceneAlternative& one : sceneAlternatives())
-      if (one.section == section.name)
-        page.paragraph(fmt::format(
-            fmt::runtime(!one.third.empty() && one.need == SceneAlternative::Need::any ? "Give {}, {} or {}."
-                         : !one.third.empty()                                          ? "Give one of {}, {} and {}."
-                         : one.need == SceneAlternative::Need::one                     ? "Give either {} or {}."
-                         : one.need == SceneAlternative::Need::any                     ? "Give {} or {}, or both."
-                         : one.need == SceneAlternative::Need::atMostOne
-                             ? "Give {} or {}, or neither."
-                             : "Where there are several, give each either {} or {}."),
-            code(one.first), code(one.second), code(one.third)));
+    page.heading(section.head(), fmt::format("{}{}.", cell(section.help), section.required ? "; required" : ""));
+    for (const SceneAlternative& one : section.alternatives)
+      page.paragraph(
+          fmt::format(fmt::runtime(!one.third.empty() && one.need == SceneAlternative::Need::any ? "Give {}, {} or {}."
+                                   : !one.third.empty()                      ? "Give one of {}, {} and {}."
+                                   : one.need == SceneAlternative::Need::one ? "Give either {} or {}."
+                                   : one.need == SceneAlternative::Need::any ? "Give {} or {}, or both."
+                                   : one.need == SceneAlternative::Need::atMostOne
+                                       ? "Give {} or {}, or neither."
+                                       : "Where there are several, give each either {} or {}."),
+                      code(one.first), code(one.second), code(one.third)));
     page.table({"key", "type", "range, unit", "default", "meaning"});
-    for (const SceneKey& key : sceneKeys()) {
-      if (key.section != section.name) continue;
+    for (const SceneKey& key : section.keys) {
       std::string help = cell(key.help);
       if (!key.choices.empty()) help += "; one of " + codes(key.choices);
       for (const auto& [alias, meant] : key.aliases)

@@ -224,24 +224,22 @@ Json probeRules() {
 /// count: how many of the section there are at least.
 Json alternativeRule(const SceneAlternative& alternative, int count) {
   using Need = SceneAlternative::Need;
-  const std::string first(alternative.first), second(alternative.second);
   if (alternative.need == Need::atMostOne || (alternative.need == Need::oneOfMany && count == 1))
-    return {{"not", {{"required", {first, second}}}}};
+    return {{"not", {{"required", alternative.keys()}}}};
   Json choices = Json::array();
-  for (const std::string_view key : {alternative.first, alternative.second, alternative.third})
-    if (!key.empty()) choices.push_back({{"required", Json::array({key})}});
+  for (const std::string& key : alternative.keys()) choices.push_back({{"required", Json::array({key})}});
   return {{alternative.need == Need::any ? "anyOf" : "oneOf", std::move(choices)}};
 }
 
-Json sectionSchema(const SceneSection& section) {
+}  // namespace
+
+Json schemaOf(const SceneSection& section) {
   Json properties = Json::object(), required = Json::array(), rules = Json::array();
-  for (const SceneKey& key : sceneKeys()) {
-    if (key.section != section.name) continue;
+  for (const SceneKey& key : section.keys) {
     properties[key.key] = keySchema(key);
     if (key.required) required.push_back(key.key);
   }
-  for (const SceneAlternative& alternative : sceneAlternatives())
-    if (alternative.section == section.name) rules.push_back(alternativeRule(alternative, 1));
+  for (const SceneAlternative& alternative : section.alternatives) rules.push_back(alternativeRule(alternative, 1));
   static const std::map<std::string_view, Json (*)()> ofRegistries{{"mesh", meshRules},
                                                                    {"material", materialRules},
                                                                    {"handler", handlerRules},
@@ -256,15 +254,17 @@ Json sectionSchema(const SceneSection& section) {
   return schema;
 }
 
+namespace {
+
 Json sceneSchema() {
   Json properties = Json::object(), required = Json::array();
   for (const SceneSection& section : sceneSections()) {
-    Json one = sectionSchema(section);
+    Json one = schemaOf(section);
     Json list = listOf(one, 0);
     list["description"] = section.help;
     if (section.required) list["minItems"] = 1;
-    for (const SceneAlternative& alternative : sceneAlternatives())
-      if (alternative.section == section.name && alternative.need == SceneAlternative::Need::oneOfMany)
+    for (const SceneAlternative& alternative : section.alternatives)
+      if (alternative.need == SceneAlternative::Need::oneOfMany)
         list["allOf"].push_back({{"if", {{"minItems", 2}}}, {"then", {{"items", alternativeRule(alternative, 2)}}}});
     const std::string name(section.name);
     if (section.list)

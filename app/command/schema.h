@@ -6,6 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <ringwatch/app/scene/scene_keys.h>
+
 namespace ringwatch {
 
 /// A JSON Schema (draft 07) that `ringwatch schema NAME` prints.
@@ -20,5 +22,7 @@ std::vector<SchemaInfo> allSchemas();
 /// ranges, choices and keys, also those that depend on the law, the handler or the generator; not what takes the mesh,
 /// or a comparison of two values. Throws InputError that lists the names when there is none of that name.
 nlohmann::ordered_json schemaOf(std::string_view name);
+/// That of one table of a section.
+nlohmann::ordered_json schemaOf(const SceneSection& section);
 
 }  // namespace ringwatch

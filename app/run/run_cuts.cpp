@@ -43,7 +43,8 @@ void RunCuts::make(const Scene::Cut& wanted) {
   {
     const Stopwatch measured(record.cutTime);
     const CutMesh made =
-        cutMesh(run_.body.mesh(), wanted.surface, wanted.atRest ? run_.body.mesh().X : run_.state.x, wanted.snap);
+        cutMesh(run_.body.mesh(), wanted.surface,
+                wanted.positions == CutPositions::reference ? run_.body.mesh().X : run_.state.x, wanted.snap);
     if (made.facesOpened == 0) {
       run_.result.notes.push_back(fmt::format(
           "{}: at t = {:.6g} s it opens nothing: no face of the mesh lies within it", wanted.origin, run_.state.time));

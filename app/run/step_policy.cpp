@@ -34,7 +34,7 @@ std::string StepPolicy::choose(MonitorReport& report, double time, const std::fu
     if (collapsed(h_)) return fmt::format("no step can be certified: reduced to {:.3g} s", h_);
   }
   if (automatic && first_ == h_)
-    if (const std::string fault = tooManySteps(h_, scene_.end); !fault.empty())
+    if (const std::string fault = tooMany("steps", h_, scene_.end); !fault.empty())
       throw InputError(fmt::format("{}: integrator.end: \"auto\" begins with {}", scene_.file.string(), fault));
   endsTheRun_ = automatic && h_ > scene_.end - time;
   if (endsTheRun_) h_ = scene_.end - time;

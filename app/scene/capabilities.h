@@ -1,6 +1,4 @@
 #pragma once
-#include <cstdint>
-#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string>
@@ -8,93 +6,33 @@
 #include <utility>
 #include <vector>
 
+#include <ringwatch/app/scene/feature.h>
 #include <ringwatch/app/scene/scene.h>
 #include <ringwatch/body/body.h>
 #include <ringwatch/handlers/handler.h>
 
 namespace ringwatch {
 
-// What goes with what is one table, in capabilities.cpp. Checks, notes, advice, help, schema, reference and tests read
-// it.
-
-/// Parts of a scene that something else does not go with.
-enum class Feature {
-  handler,
-  timed,
-  pressure,
-  discrete,
-  surfaces,
-  movingObstacles,
-  dashpots,
-  friction,
-  elementDamping,
-  rayleigh,
-  stiffnessDamping,
-  provenDamping,
-  rigid,
-  cuts,
-  erosion,
-  uniformStrain,
-  otherLaws,
-  nodalMass,
-  certificates,
-  mustCertify,
-  gaps,
-  savedStates,
-  repeat,
-  reduceStep,
-  hold,
-  checkpoints,
-  exactTimes,
-  probes,
-  reactions,
-  metric,
-  noBracket,
-  budget,
-  fields,
-  handlerAuto,
-  handlerSolver,
-  handlerDamping,
-  handlerHandle,
-  handlerHalves,
-  handlerDevices
-};
+// What goes with what is one table, in capabilities.cpp, of the features that keys and sections declare. Checks, notes,
+// advice, help, schema, reference and tests read it.
 
 /// Ways to run a scene that are not one process on the CPU, and commands that take a scene and do not run it as
 /// `ringwatch run` does.
 enum class SceneUse { gpu, ranks, compare, advise, suggest, stretch, scaleMass, audit };
 
-/// Some entries of an enumeration of at most 64.
-template <class Entry>
-class SetOf {
- public:
-  constexpr SetOf(std::initializer_list<Entry> entries) {
-    for (const Entry entry : entries) add(entry);
-  }
-  constexpr bool has(Entry entry) const { return (bits_ & bit(entry)) != 0; }
-  constexpr void add(Entry entry) { bits_ |= bit(entry); }
-  friend constexpr SetOf operator|(SetOf set, Entry entry) {
-    set.add(entry);
-    return set;
-  }
-
- private:
-  static constexpr std::uint64_t bit(Entry entry) { return std::uint64_t{1} << static_cast<unsigned>(entry); }
-  std::uint64_t bits_ = 0;
-};
-using Features = SetOf<Feature>;
 using SceneUses = SetOf<SceneUse>;
 
 struct FeatureInfo {
   Feature feature, whole;  // what refuses the whole refuses its parts; itself for what is no part
   std::string_view name;   // for messages, a plural: "elements that damp"
-  std::string_view keys;   // its sections and keys, apart by spaces
   bool (*in)(const Scene& scene);
   /// Integrators that it goes with, and why it does not go with the others; nullptr and "": it goes with all.
   bool (*takes)(const IntegratorInfo& info) = nullptr;
   std::string_view why = {};
 };
 std::span<const FeatureInfo> sceneFeatures();
+/// The sections and keys of a scene that declare it.
+std::vector<std::string> keysOf(Feature feature);
 
 struct SceneUseInfo {
   SceneUse use;

@@ -4,6 +4,7 @@
 
 #include <ringwatch/app/command/integrator_catalog.h>
 #include <ringwatch/app/scene/capabilities.h>
+#include <ringwatch/app/scene/scene_keys.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/user_text.h>
 #include <ringwatch/body/discrete_forces.h>
@@ -31,14 +32,12 @@ std::string choices(const Infos& infos, Trait takes) {
   return "choose from " + namesWhere(infos, takes);
 }
 
+/// Where a scene has a feature: at the last of its keys that is given.
 std::string originOf(const Scene& scene, Feature feature) {
-  const std::string_view keys = infoOf(feature).keys;
-  for (std::size_t begin = 0; begin < keys.size();) {
-    const std::size_t end = std::min(keys.find(' ', begin), keys.size());
-    if (const std::string key(keys.substr(begin, end - begin)); scene.places.count(key) != 0) return scene.where(key);
-    begin = end + 1;
-  }
-  return scene.where(std::string(keys.substr(0, keys.find(' '))));
+  const std::vector<std::string> keys = keysOf(feature);
+  const auto given =
+      std::find_if(keys.rbegin(), keys.rend(), [&](const std::string& key) { return scene.places.contains(key); });
+  return scene.where(given == keys.rend() ? keys.back() : *given);
 }
 
 Features featuresOf(const Scene& scene) {
@@ -78,10 +77,20 @@ std::string notTogether(Feature feature, const Obstruction& found, std::string_v
 
 }  // namespace
 
+std::vector<std::string> keysOf(Feature feature) {
+  std::vector<std::string> keys;
+  for (const SceneSection& section : sceneSections()) {
+    if (section.features.has(feature)) keys.emplace_back(section.name);
+    for (const SceneKey& key : section.keys)
+      if (key.features.has(feature)) keys.push_back(key.section + "." + key.key);
+  }
+  return keys;
+}
+
 std::string capabilitiesText() {
   std::string text = "Features of a scene with their keys, and integrators where they do not go with all:\n\n";
   for (const FeatureInfo& info : sceneFeatures()) {
-    text += fmt::format("  {}: {}\n", info.name, info.keys);
+    text += fmt::format("  {}: {}\n", info.name, fmt::join(keysOf(info.feature), " "));
     if (info.whole != info.feature) text += fmt::format("    part of {}\n", infoOf(info.whole).name);
     if (info.takes) text += fmt::format("    with {}: {}\n", namesWhere(integratorInfos(), info.takes), info.why);
   }
@@ -116,8 +125,10 @@ nlohmann::ordered_json capabilitiesJson() {
     for (const IntegratorEntry& entry : integratorCatalog().entries())
       if ((info.takes && !info.takes(*entry.info)) || (whole.takes && !whole.takes(*entry.info)))
         notBy.push_back(entry.info->name);
-    all[std::string(info.name)] = {
-        {"keys", info.keys}, {"part_of", whole.name}, {"not_with", notWith}, {"not_by", notBy}};
+    all[std::string(info.name)] = {{"keys", fmt::format("{}", fmt::join(keysOf(info.feature), " "))},
+                                   {"part_of", whole.name},
+                                   {"not_with", notWith},
+                                   {"not_by", notBy}};
   }
   return all;
 }

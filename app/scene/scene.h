@@ -83,15 +83,15 @@ struct Scene {
     std::optional<Eigen::Vector3d> point;            // m, at rest; empty: its centre of mass
   };
   struct Fix {
-    NodeSelection nodes;
-    std::array<bool, 3> components;
+    NodeSelection nodes = {};
+    std::array<bool, 3> components = {};
     std::optional<Guide> guide = {};  // of a rigid body, whose nodes these are
   };
   struct Move {
     NodeSelection nodes;
-    std::array<bool, 3> components;
-    Eigen::Vector3d velocity;        // m/s
-    std::optional<TimeTable> table;  // its factor; empty: 1
+    std::array<bool, 3> components = {};
+    Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  // m/s
+    std::optional<TimeTable> table;                      // its factor; empty: 1
     /// rad/s, about an axis through `point` (m) that stays; the table is its factor too
     Eigen::Vector3d angularVelocity = Eigen::Vector3d::Zero(), point = Eigen::Vector3d::Zero();
 
@@ -116,9 +116,9 @@ struct Scene {
   /// Velocities at the start, on top of those of others.
   struct Initial {
     NodeSelection nodes;
-    Eigen::Vector3d velocity;         // m/s
-    Eigen::Vector3d angularVelocity;  // rad/s
-    Eigen::Vector3d point;            // m, on the axis
+    Eigen::Vector3d velocity = Eigen::Vector3d::Zero();         // m/s
+    Eigen::Vector3d angularVelocity = Eigen::Vector3d::Zero();  // rad/s
+    Eigen::Vector3d point = Eigen::Vector3d::Zero();            // m, on the axis
   };
   struct Force {
     NodeSelection nodes;
@@ -145,14 +145,14 @@ struct Scene {
   /// Damping of some nodes in proportion to their mass.
   struct MassDamping {
     NodeSelection nodes;
-    double rate;         // 1/s
+    double rate = 0;     // 1/s
     std::string origin;  // "scene.toml:31: [[mass_damping]]", for messages
   };
   /// A spring and a dashpot at each of some nodes.
   struct SpringSet {
     NodeSelection nodes;
     std::optional<NodeSelection> to;           // each to the nearest of these; empty: to the ground
-    double stiffness, damping;                 // N/m, N s/m, of each
+    double stiffness = 0, damping = 0;         // N/m, N s/m, of each
     std::optional<Eigen::Vector3d> direction;  // to the ground
     std::optional<double> length;              // m, at rest; empty: as it is at the start
     bool alongEdges = false;                   // of elements, both of whose ends are selected
@@ -160,10 +160,10 @@ struct Scene {
   };
   struct MovingObstacle {
     std::string name;
-    const ObstacleKind* kind;
+    const ObstacleKind* kind = nullptr;
     ObstacleParameters parameters;
-    Eigen::Vector3d velocity;        // m/s
-    std::optional<TimeTable> table;  // its factor; empty: 1
+    Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  // m/s
+    std::optional<TimeTable> table;                      // its factor; empty: 1
     std::string origin;
   };
   struct Contact {
@@ -183,16 +183,16 @@ struct Scene {
   /// Pressure on the faces of the surface all of whose corners are selected, along their normals as they are.
   struct Pressure {
     NodeSelection nodes;
-    double pressure;                 // Pa
+    double pressure = 0;             // Pa
     std::optional<TimeTable> table;  // its factor; empty: 1
     std::string origin;
   };
 
   struct Cut {
     CutSurface surface;
-    double time = 0;  // s
-    double snap = 0;  // edge lengths
-    bool atRest = false;
+    double time = 0;    // s
+    double snap = 0.1;  // edge lengths
+    CutPositions positions = CutPositions::deformed;
     bool criticalStep = false;  // of the whole body, before and after, is wanted
     std::string origin;         // "scene.toml:31: [[cut]]", for messages
   };
@@ -210,12 +210,12 @@ struct Scene {
   /// Numbers of some nodes or elements, for a table of their own along the run.
   struct Probe {
     std::string name;
-    ProbeQuantity quantity;
+    ProbeQuantity quantity = {};
     ProbeReduction as = ProbeReduction::mean;
     std::optional<NodeSelection> selection;  // nodes, or elements by their centre or an element set; empty: all
     std::optional<int> material;             // of elements: its number
     std::size_t rigid = 0;                   // of rigid bodies: which
-    std::string metric;                      // of a step
+    std::string metric = "reduced-1-ring";   // of a step
     std::string origin;                      // "scene.toml:31: [[probe]]", for messages
   };
 
@@ -244,25 +244,25 @@ struct Scene {
   RayleighDamping damping;
   double linearBulkViscosity = 0, quadraticBulkViscosity = 0;
   RunDevice device = RunDevice::cpu;
-  std::vector<int> devices;  // GPUs, by number; empty: all
-  bool holdsStep = false;    // "auto" keeps the step of the first state
-  double safety = 0;         // share of the safe step that "auto", "reduce-step" and "repeat" take
+  std::vector<int> devices{0};  // GPUs, by number; empty: all
+  bool holdsStep = false;       // "auto" keeps the step of the first state
+  double safety = 0.95;         // share of the safe step that "auto", "reduce-step" and "repeat" take
 
   std::string metric;  // "" for none
-  double margin = 0;
+  double margin = 0.1;
   MonitorMode mode = MonitorMode::bracket;
   std::int64_t every = 1;
   std::optional<double> budget;  // MonitorOptions::budget; empty for the usual one
   OnViolation onViolation = OnViolation::stop;
-  std::int64_t repeats = 0;  // from one state, with OnViolation::repeat, before the run ends
-  double energyTolerance = 0;
+  std::int64_t repeats = 10;  // from one state, with OnViolation::repeat, before the run ends
+  double energyTolerance = 0.1;
   bool requireCertified = false;             // a step that is not certified makes the run fail
   std::optional<std::int64_t> certificates;  // observations between files of proofs; empty for none
 
   std::string handler;  // "" for none
   HandlerOptions handlerOptions;
   std::optional<double> handlerStep;  // s, that "auto" begins with and does not pass; empty: factor of the safe step
-  double handlerFactor = 0;
+  double handlerFactor = 2;
   bool reduceOnFailure = false;  // halve the step when the handler cannot take it
 
   std::vector<Fix> fixes;
@@ -281,7 +281,7 @@ struct Scene {
   std::optional<double> checkpointInterval;  // s; empty for no checkpoints
   std::optional<double> frameInterval;       // s; empty for no frames
   bool exactTimes = false;                   // frames at the very times, between steps too
-  std::vector<std::string> fields;
+  std::vector<std::string> fields{"critical_step"};
   std::int64_t historyEvery = 1;
   std::optional<Erosion> erosion;
   std::vector<Probe> probes;
@@ -347,8 +347,8 @@ std::optional<std::array<bool, 3>> parseComponents(std::string_view text);
 Scene::Fix parseFix(const std::string& text, const std::string& origin);
 /// More steps, or frames, than a run can have: at a microsecond each they would take twelve days.
 inline constexpr double mostSteps = 1e12;
-/// "" unless steps of h (s) to the end (s) are more than that; then how many, for a message.
-std::string tooManySteps(double h, double end);
+/// "" unless there are more than that of an interval (s) to the end (s); then how many of what, for a message.
+std::string tooMany(std::string_view what, double interval, double end);
 
 /// What a force of a scene puts on each of its nodes, N.
 std::vector<Eigen::Vector3d> nodalForces(const Scene::Force& force, const std::vector<std::int32_t>& nodes,

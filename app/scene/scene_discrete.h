@@ -2,13 +2,8 @@
 #include <functional>
 
 #include <ringwatch/app/scene/scene.h>
-#include <ringwatch/app/scene/scene_tables.h>
 
 namespace ringwatch {
-
-/// Reads the [[mass]], [[spring]], [[obstacle]] and [[contact]] of a scene whose other sections have been read, and
-/// checks that they go with these. Throws InputError.
-void readDiscreteSections(const std::vector<SceneTable>& sections, Scene& scene);
 
 /// Adds the point masses of a scene to its body. Throws InputError for selections without nodes.
 void addPointMasses(const Scene& scene, Body& body);

@@ -1,30 +1,28 @@
-#include <ringwatch/app/scene/scene_probes.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include <ringwatch/app/command/integrator_catalog.h>
-#include <ringwatch/app/scene/scene_sections.h>
+#include <ringwatch/app/scene/key_binding.h>
 #include <ringwatch/base/nearest_name.h>
 #include <ringwatch/base/user_text.h>
+#include <ringwatch/monitor/metrics/metrics.h>
 
 namespace ringwatch {
 namespace {
 
 /// A name is part of the names of columns.
-void checkName(const SceneTable& section, const Scene& scene, const std::string& name) {
+void takeName(const SceneTable& section, const Scene& scene, Scene::Probe& probe) {
   const auto plain = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
   };
-  if (section.given("name") && (name.empty() || !std::ranges::all_of(name, plain)))
+  if (!section.given("name"))
+    probe.name = fmt::format("probe.{}", &probe - scene.probes.data());
+  else if (probe.name.empty() || !std::ranges::all_of(probe.name, plain))
     fail(section.at("name").origin, "probe.name",
-         inQuotes(name) + " is no name of columns; must be made of letters, digits, _ and -");
-  for (const Scene::Probe& other : scene.probes)
-    if (other.name == name)
-      fail(section.given("name") ? section.at("name").origin : section.origin, "probe.name",
-           fmt::format("{} is the name of {} already; give another", inQuotes(name), other.origin));
+         inQuotes(probe.name) + " is no name of columns; must be made of letters, digits, _ and -");
+  requireOwnName(section, scene.probes, probe);
 }
 
 /// Which rigid body a probe is of.
@@ -41,20 +39,11 @@ std::size_t rigidOf(const SceneTable& section, const Scene& scene, const std::st
     if (known.size() == 1) return 0;
     fail(section.origin, "probe.rigid", fmt::format("there are several; name one of {}", fmt::join(known, ", ")));
   }
-  const auto name = section.get<std::string>("rigid");
-  const auto found = std::ranges::find(known, name);
-  if (found == known.end())
-    fail(section.at("rigid").origin, "probe.rigid",
-         fmt::format("unknown rigid body {}; {}the scene has {}", inQuotes(name), didYouMean(name, known),
-                     fmt::join(known, ", ")));
-  return static_cast<std::size_t>(found - known.begin());
+  return positionOf(section, "rigid", scene.rigids);
 }
 
-Scene::Probe probeOf(const SceneTable& section, const Scene& scene) {
-  Scene::Probe probe;
-  probe.origin = section.origin + ": [[probe]]";
-  probe.name = section.given("name") ? section.get<std::string>("name") : fmt::format("probe.{}", scene.probes.size());
-  checkName(section, scene, probe.name);
+void checkProbe(const SceneTable& section, Scene& scene, Scene::Probe& probe) {
+  takeName(section, scene, probe);
   probe.quantity = *std::ranges::find(allProbeQuantities(), section.get<std::string>("what"), &ProbeQuantity::name);
   probe.as = probe.quantity.as.front();
   if (section.given("as")) {
@@ -67,19 +56,14 @@ Scene::Probe probeOf(const SceneTable& section, const Scene& scene) {
                        probe.quantity.name, fmt::join(takes, " or ")));
     }
   }
-  if (section.given("where") || section.given("set")) probe.selection = selectionOf(section);
   if (section.given("material")) {
     if (probe.quantity.ofNodes())
       fail(section.at("material").origin, "probe.material",
            fmt::format("\"{}\" is of nodes; give where or set", probe.quantity.name));
-    if (probe.selection)
-      fail(section.at("material").origin, "probe.material", "both a selection and material are given; give one");
-    const auto number = section.get<std::int64_t>("material");
-    if (number >= static_cast<std::int64_t>(scene.materials.size()))
+    if (*probe.material >= static_cast<int>(scene.materials.size()))
       fail(section.at("material").origin, "probe.material",
-           fmt::format("{} is no material; there {} {}, counted from 0", number,
+           fmt::format("{} is no material; there {} {}, counted from 0", *probe.material,
                        scene.materials.size() == 1 ? "is" : "are", scene.materials.size()));
-    probe.material = static_cast<int>(number);
   }
   if (section.given("rigid") && !probe.quantity.ofRigidBodies())
     fail(section.at("rigid").origin, "probe.rigid",
@@ -97,27 +81,62 @@ Scene::Probe probeOf(const SceneTable& section, const Scene& scene) {
     fail(section.at("metric").origin, "probe.metric",
          fmt::format("goes with what = \"step\" alone, not with \"{}\"", probe.quantity.name));
   if (probe.quantity.kind == ProbeQuantity::Kind::step) {
-    probe.metric = section.get<std::string>("metric");
     const IntegratorInfo& info = *integratorCatalog().find(scene.method);
     if (std::isinf(info.imaginaryLimit) || info.partitioned || !(info.imaginaryLimit > 0))
       fail(section.at("what").origin, "probe.what",
            fmt::format("\"step\": \"{}\" has no critical step of elements", scene.method));
   }
-  return probe;
 }
 
 }  // namespace
 
-void readProbes(const std::vector<SceneTable>& sections, const SceneTable& output, Scene& scene) {
-  for (const SceneTable& section : sections)
-    if (section.name == "probe") scene.probes.push_back(probeOf(section, scene));
-  scene.reactions = output.get<bool>("reactions");
-  if (scene.reactions && scene.fixes.empty() && scene.moves.empty())
-    fail(output.at("reactions").origin, "output.reactions", "there is no [[fix]] and no [[move]] that could react");
-  scene.probeEvery = output.get<std::int64_t>("probe_every");
-  if (output.given("probe_every") && !scene.probed())
-    fail(output.at("probe_every").origin, "output.probe_every",
-         "there is nothing to write; give a [[probe]] or reactions = true");
+SceneSection probeSection() {
+  using P = Scene::Probe;
+  std::string what;
+  for (const ProbeQuantity& quantity : allProbeQuantities())
+    what += fmt::format("{}{}{}: {}", what.empty() ? "" : "; ", quantity.name,
+                        quantity.unit.empty() ? "" : fmt::format(", {}", quantity.unit), quantity.help);
+  std::vector<SceneAlternative> alternatives;
+  for (const auto& [one, other] : {std::pair{"where", "set"},
+                                   {"where", "material"},
+                                   {"set", "material"},
+                                   {"where", "rigid"},
+                                   {"set", "rigid"},
+                                   {"material", "rigid"}})
+    alternatives.push_back({one, other, SceneAlternative::Need::atMostOne});
+  BoundKeys<P> nodes = nodeKeys(&P::selection, "",
+                                "condition on the reference position of nodes, or of the centre of an element's nodes, "
+                                "or \"set:NAME\"; without any selection all of them");
+  nodes.back().key.help = "named set of nodes or of elements, instead of where";
+  return listSection<P>(
+      {.name = "probe",
+       .help = "numbers of some nodes or elements, each a few columns of probes.csv",
+       .features = {Feature::probes},
+       .alternatives = alternatives},
+      &Scene::probes,
+      {unbound<P>({{.key = "what",
+                    .type = SceneType::text,
+                    .required = true,
+                    .choices = namesOf(allProbeQuantities()),
+                    .help = what}}),
+       {key("name", &P::name,
+            "with which its columns begin, of letters, digits, _ and -; without, \"probe.N\", N counted from 0")},
+       nodes,
+       {key("material", &P::material, "the elements of the material with this number, counted from 0, instead of where",
+            {.range = KeyRange::notNegative})},
+       unbound<P>({{.key = "rigid",
+                    .type = SceneType::text,
+                    .help = "name of the [[rigid]] of centre, rotation, centre_velocity, angular_velocity, force, "
+                            "torque, support_force and support_torque; without, the only one"},
+                   {.key = "as",
+                    .type = SceneType::text,
+                    .choices = probeReductionNames.names(),
+                    .help = probeReductionNames.listing() +
+                            "; without, the sum of momentum, angular_momentum, load, reaction and energy, the least "
+                            "step, else the mean"}}),
+       {key("metric", &P::metric, "of what = \"step\"; it is evaluated for the whole body at every row",
+            {.choices = namesOf(allMetrics())})}},
+      checkProbe);
 }
 
 }  // namespace ringwatch

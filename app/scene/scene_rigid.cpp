@@ -15,18 +15,6 @@
 namespace ringwatch {
 namespace {
 
-void readRigid(const SceneTable& section, Scene& scene) {
-  Scene::Rigid rigid;
-  rigid.origin = section.origin + ": [[rigid]]";
-  rigid.name = section.given("name") ? section.get<std::string>("name") : fmt::format("rigid {}", scene.rigids.size());
-  for (const Scene::Rigid& other : scene.rigids)
-    if (other.name == rigid.name)
-      fail(section.given("name") ? section.at("name").origin : section.origin, "rigid.name",
-           fmt::format("{} is the name of {} already; give another", inQuotes(rigid.name), other.origin));
-  rigid.nodes = selectionOf(section);
-  scene.rigids.push_back(std::move(rigid));
-}
-
 /// The first of the sections that takes a rigid body.
 template <class Sections>
 auto* takerOf(const std::string& body, Sections& sections) {
@@ -61,11 +49,6 @@ RigidGuide guideOfBody(const Scene& scene, const std::string& name) {
 
 }  // namespace
 
-void readRigidSections(const std::vector<SceneTable>& sections, Scene& scene) {
-  for (const SceneTable& section : sections)
-    if (section.name == "rigid") readRigid(section, scene);
-}
-
 std::optional<Scene::Guide> guideOf(const SceneTable& section, const std::array<bool, 3>& components,
                                     const Scene& scene, NodeSelection& nodes) {
   const auto refuse = [&](const char* key, const std::string& what) {
@@ -78,17 +61,9 @@ std::optional<Scene::Guide> guideOf(const SceneTable& section, const std::array<
     if (!moves && section.given("point")) refuse("point", "goes with rigid and turns = true");
     return std::nullopt;
   }
-  for (const char* other : {"where", "set"})
-    if (section.given(other)) refuse(other, "rigid is given too, which has its own nodes; give one of them");
   Scene::Guide guide;
-  guide.body = section.get<std::string>("rigid");
-  std::vector<std::string> known;
-  for (const Scene::Rigid& rigid : scene.rigids) known.push_back(rigid.name);
-  if (known.empty()) refuse("rigid", inQuotes(guide.body) + " names a [[rigid]]; there is none");
-  const auto found = std::ranges::find(known, guide.body);
-  if (found == known.end())
-    refuse("rigid", fmt::format("unknown rigid body {}; {}the scene has {}", inQuotes(guide.body),
-                                didYouMean(guide.body, known), shortList(known)));
+  const Scene::Rigid& body = scene.rigids[positionOf(section, "rigid", scene.rigids)];
+  guide.body = body.name;
   const auto* fix = takerOf(guide.body, scene.fixes);
   const auto* move = takerOf(guide.body, scene.moves);
   if (fix || move)
@@ -113,7 +88,7 @@ std::optional<Scene::Guide> guideOf(const SceneTable& section, const std::array<
   } else if (rotates && holdsPoint) {
     guide.point = vectorOf(section.at("point").value);  // as of nodes that turn
   }
-  nodes = scene.rigids[static_cast<std::size_t>(found - known.begin())].nodes;
+  nodes = body.nodes;
   nodes.origin = section.where("rigid");
   return guide;
 }

@@ -110,17 +110,17 @@ class Reader {
                fmt::format("{} where tables are needed; write [[{}]] above each", kindOf(*node), name));
         std::size_t i = 0;
         for (const toml::node& table : *list)
-          result.push_back(readSection(name, fmt::format("{}.{}", name, i++), *table.as_table()));
+          result.push_back(readSection(section, fmt::format("{}.{}", name, i++), *table.as_table()));
       } else if (!node) {
         if (section.required)
-          throw InputError(
-              fmt::format("{}: [{}]: the section is missing; it holds {}", file_.string(), name, requiredKeys(name)));
-        result.push_back(readSection(name, name, toml::table{}));
+          throw InputError(fmt::format("{}: [{}]: the section is missing; it holds {}", file_.string(), name,
+                                       requiredKeys(section)));
+        result.push_back(readSection(section, name, toml::table{}));
       } else {
         if (!node->is_table())
           fail(originOf(name, *node), name,
                fmt::format("{} where a section is needed; write [{}]", kindOf(*node), name));
-        result.push_back(readSection(name, name, *node->as_table()));
+        result.push_back(readSection(section, name, *node->as_table()));
       }
     }
     return result;
@@ -175,8 +175,8 @@ class Reader {
       std::vector<std::string> meant;  // keys of that name
       for (const SceneKey& key : sceneKeys())
         if (equals != std::string::npos && key.key == path)
-          meant.push_back(fmt::format("{}{}.{}={}", key.section, findSection(key.section)->list ? ".0" : "", key.key,
-                                      text.substr(equals + 1)));
+          meant.push_back(fmt::format("{}{}.{}={}", key.section, findSceneSection(key.section)->list ? ".0" : "",
+                                      key.key, text.substr(equals + 1)));
       throw InputError(
           meant.empty()
               ? fmt::format("{}: not an assignment; write section.key=value, e.g. integrator.step=1e-3", origin)
@@ -186,7 +186,7 @@ class Reader {
     const toml::table assignment = parseValue(text.substr(equals + 1), origin);
     toml::table* target = nullptr;
     if (parts.size() == 2) {
-      const SceneSection* section = findSection(parts[0]);
+      const SceneSection* section = findSceneSection(parts[0]);
       if (section && (section->list || (section->alsoList && root_.contains(parts[0]) && root_[parts[0]].is_array())))
         throw InputError(fmt::format("{}: [[{}]] is a list; write {}.0.{}=… for its first entry", origin, parts[0],
                                      parts[0], parts[1]));
@@ -225,16 +225,10 @@ class Reader {
         fmt::format("{}: the value is not TOML; write a number, a \"text\", true, false or [a, list]", origin));
   }
 
-  static const SceneSection* findSection(std::string_view name) {
-    for (const SceneSection& section : sceneSections())
-      if (section.name == name) return &section;
-    return nullptr;
-  }
-
   void checkSectionNames() const {
     for (const auto& [key, node] : root_) {
       const std::string name(key.str());
-      if (findSection(name)) continue;
+      if (findSceneSection(name)) continue;
       std::vector<std::string> known;
       for (const SceneSection& section : sceneSections()) known.emplace_back(section.name);
       // Text before any [section] is most likely a key that lost its section.
@@ -263,22 +257,22 @@ class Reader {
     return fmt::format("{}:{}", file_.string(), node.source().begin.line);
   }
 
-  static std::string requiredKeys(const std::string& section) {
+  static std::string requiredKeys(const SceneSection& section) {
     std::string text;
-    for (const SceneKey& key : sceneKeys())
-      if (key.section == section && key.required) text += (text.empty() ? "" : ", ") + key.key;
+    for (const SceneKey& key : section.keys)
+      if (key.required) text += (text.empty() ? "" : ", ") + key.key;
     return text.empty() ? "either file or generate" : text;
   }
 
-  SceneTable readSection(const std::string& name, const std::string& path, const toml::table& table) const {
+  SceneTable readSection(const SceneSection& declared, const std::string& path, const toml::table& table) const {
+    const std::string name(declared.name);
     SceneTable section{name, originOf(path, table), {}};
     for (const auto& [tomlKey, node] : table) {
       const std::string key(tomlKey.str());
       const std::string origin = originOf(path + "." + key, node);
       const SceneKey* found = nullptr;
       std::vector<std::string> known;
-      for (const SceneKey& candidate : sceneKeys()) {
-        if (candidate.section != name) continue;
+      for (const SceneKey& candidate : declared.keys) {
         known.push_back(candidate.key);
         if (candidate.key == key) found = &candidate;
       }
@@ -289,8 +283,8 @@ class Reader {
       SceneEntry& entry = section.entries[key] = {check(*found, node, origin), origin, true};
       if (isEcho_ && !found->fallback.empty()) entry.given = entry.value != defaultOf(*found);
     }
-    for (const SceneKey& key : sceneKeys()) {
-      if (key.section != name || section.entries.count(key.key) != 0) continue;
+    for (const SceneKey& key : declared.keys) {
+      if (section.entries.count(key.key) != 0) continue;
       if (key.required) fail(section.origin, name + "." + key.key, missingText(key.type, key.unit, key.range));
       if (key.fallback.empty()) continue;
       section.entries[key.key] = {defaultOf(key), "default", false};

@@ -150,14 +150,14 @@ TEST_F(Program, RefusesBadCuts) {
   expectRefused(scene + "cut.0.time=0.4", "is not before the end; must be < end = 0.3 s");
   expectRefused(scene + "cut.0.time=-1", "must be >= 0");
   expectRefused(scene + "cut.0.normal='[0,0,0]'", "must not be zero");
-  expectRefused(scene + "cut.0.line='[[0,0,0],[1,0,0]]'", "cut.sweep: missing; it goes with line");
+  expectRefused(scene + "cut.0.line='[[0,0,0],[1,0,0]]'", "cut.point: both point and line are given");
   expectRefused(scene + "cut.1.line='[[0,0,0]]'", "1 points; it needs two or more");
   expectRefused(scene + "cut.1.line='[[0,0],[1,0]]'", "list of points");
   expectRefused(scene + "cut.1.line='[0,0,0]'", "list of points");
   expectRefused(scene + "cut.1.snap=0.7", "must be >= 0 and <= 0.5");
   expectRefused(scene + "mesh.element=hex8", "only tetrahedra of four nodes can be cut; the mesh has hex8");
   folder_.write("empty.toml", std::string(tiny) + "[[cut]]\ntime = 0.01\n");
-  expectRefused("run empty.toml", "missing; give point and normal, or line and sweep");
+  expectRefused("run empty.toml", "missing; give point (m) or line (m)");
   EXPECT_FALSE(exists("out"));
 }
 

@@ -138,7 +138,7 @@ TEST_F(HandledAuto, RefusesWhatMakesNoSense) {
     EXPECT_FALSE(exists("bad/history.csv"));
   };
   refused("step = 0.5\n", "", "handler.step: 0.5 s is beyond the end");
-  refused("step = 1e-3\nfactor = 2.0\n", "", "handler.step is given too");
+  refused("step = 1e-3\nfactor = 2.0\n", "", "handler.step: both step and factor are given");
   refused("factor = 0.0\n", "", "handler.factor: 0 is out of range; must be > 0");
   refused("solver = \"newton\"\n", "[damping]\nmass = 1.0\n", "\"newton\" works without [damping]");
   refused("", "[damping]\nmass = 1e5\n", "needs a step below");

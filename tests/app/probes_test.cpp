@@ -339,7 +339,7 @@ TEST_F(Probes, AreRefusedWhereTheyMakeNoSense) {
   refused("[[probe]]\nwhat = \"energy\"\nmetric = \"fried\"\n", "goes with what = \"step\" alone, not with \"energy\"");
   refused("[[probe]]\nwhat = \"velocity\"\nmaterial = 0\n", "\"velocity\" is of nodes; give where or set");
   refused("[[probe]]\nwhat = \"energy\"\nmaterial = 2\n", "2 is no material; there is 1, counted from 0");
-  refused("[[probe]]\nwhat = \"energy\"\nmaterial = 0\nwhere = \"all\"\n", "both a selection and material are given");
+  refused("[[probe]]\nwhat = \"energy\"\nmaterial = 0\nwhere = \"all\"\n", "both where and material are given");
   refused("[[probe]]\nwhat = \"energy\"\nname = \"a,b\"\n", "must be made of letters, digits, _ and -");
   refused("[[probe]]\nwhat = \"energy\"\nname = \"a\"\n[[probe]]\nwhat = \"energy\"\nname = \"a\"\n",
           "is the name of scene.toml:");

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <ringwatch/app/command/schema.h>
+#include <ringwatch/app/scene/key_binding.h>
 #include <ringwatch/app/scene/scene_keys.h>
 #include <ringwatch/base/error.h>
 
@@ -318,6 +319,51 @@ TEST(Scene, TableOfKeysIsConsistent) {
     EXPECT_FALSE(key.help.empty()) << key.section << "." << key.key;
     EXPECT_FALSE(key.required && !key.fallback.empty()) << key.section << "." << key.key;
     EXPECT_THAT(sceneHelp(), HasSubstr("  " + key.key));
+  }
+}
+
+// What a key's one declaration says is what is read, listed, refused and part of the schema.
+TEST(Scene, AKeyIsOneDeclaration) {
+  const SceneSection section = plainSection(
+      {.name = "trial", .help = "of a test", .alternatives = {{"hold", "until", SceneAlternative::Need::atMostOne}}},
+      {{key("hold", &Scene::holdsStep, "whether it holds"),
+        key("until", &Scene::end, "how long", {.unit = "s", .required = true, .range = KeyRange::positive}),
+        numberOrAuto("step", &Scene::step, "how far", {.unit = "s"}),
+        choice("device", &Scene::device, runDeviceNames, "where")}});
+  EXPECT_EQ(section.keys[0].fallback, "false");
+  EXPECT_EQ(section.keys[3].choices, runDeviceNames.names());
+  const std::string help = sceneHelp(section);
+  EXPECT_THAT(help, AllOf(HasSubstr("until             number, s, > 0, required"), HasSubstr("how far"),
+                          HasSubstr("step              number or \"auto\", s, default \"auto\"")));
+
+  const nlohmann::ordered_json schema = schemaOf(section);
+  EXPECT_EQ(schema["properties"]["until"]["exclusiveMinimum"], 0);
+  EXPECT_EQ(schema["required"], nlohmann::ordered_json({"until"}));
+  EXPECT_EQ(schema["allOf"].size(), 1u);
+
+  const SceneTable table{"trial",
+                         "t.toml:1",
+                         {{"until", {2.5, "t.toml:2", true}},
+                          {"step", {"auto", "default", false}},
+                          {"device", {"cuda", "t.toml:3", true}}}};
+  Scene scene;
+  scene.step = 1;
+  section.read(table, scene);
+  EXPECT_EQ(scene.end, 2.5);
+  EXPECT_EQ(scene.step, std::nullopt);
+  EXPECT_EQ(scene.device, RunDevice::cuda);
+}
+
+// Each key of the format has its place in the schema of its section, and its default there.
+TEST(Scene, EveryKeyIsInTheSchemaOfItsSection) {
+  for (const SceneSection& section : sceneSections()) {
+    const nlohmann::ordered_json properties = schemaOf(section)["properties"];
+    EXPECT_EQ(properties.size(), section.keys.size()) << section.name;
+    for (const SceneKey& one : section.keys) {
+      EXPECT_EQ(one.section, section.name);
+      ASSERT_TRUE(properties.contains(one.key)) << one.key;
+      EXPECT_EQ(!one.fallback.empty(), properties[one.key].contains("default")) << one.key;
+    }
   }
 }
 

@@ -218,10 +218,9 @@ where = "all"
     expectRefused("suggest one.toml --frame 0.01", what);
   };
   refuse("nodal_mass = 1e-9\n", "one.toml:11: [[mass]]: nodal_mass = 1e-09 kg: node ");
-  refuse("nodal_mass = 1\nmass = 2\n", "one.toml:13: mass.mass: both mass and nodal_mass are given; give one of them");
-  refuse("", "one.toml:11: mass.mass: missing; give mass, of all nodes together, or nodal_mass");
-  refuse("mass = 1\n" + edges + "to_set = \"x\"\n",
-         "one.toml:19: spring.to_set: springs along edges have both ends in the selection");
+  refuse("nodal_mass = 1\nmass = 2\n", "one.toml:14: mass.mass: both mass and nodal_mass are given; give one of them");
+  refuse("", "one.toml:11: mass.mass: missing; give mass (kg) or nodal_mass (kg)");
+  refuse("mass = 1\n" + edges + "to_set = \"x\"\n", "spring.edges: both edges and to_set are given");
 }
 
 // Without a time the step of the scene is answered for.

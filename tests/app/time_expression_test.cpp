@@ -205,11 +205,12 @@ TEST_F(Expressions, AreRefusedInOneLine) {
   refused("velocity = [1, 0, 0]\nfactor = \"sin(w*t)\"\n", "move.factor: \"sin(w*t)\": column 5: unknown name \"w\"");
   refused("velocity = [1, 0, 0]\nfactor = \"1/t\"\n", "move.factor: \"1/t\" has no value at t = 0 s");
   refused("velocity = [1, 0, 0]\nfactor = \"t\"\ntimes = [0, 1]\nfactors = [0, 1]\n",
-          "is of a table, and factor is given");
+          "move.factor: both factor and times are given");
   refused("displacement = [1, 0, 0]\n", "it needs a factor that begins at 0");
   refused("displacement = [1, 0, 0]\nfactor = \"cos(t)\"\n", "its factor is 1 at t = 0");
   refused("displacement = [1, 0, 0]\nfactor = \"sqrt(t)\"\n", "begins with no finite velocity");
-  refused("displacement = [1, 0, 0]\nvelocity = [1, 0, 0]\nfactor = \"t\"\n", "displacement is given too");
+  refused("displacement = [1, 0, 0]\nvelocity = [1, 0, 0]\nfactor = \"t\"\n",
+          "both displacement and velocity are given");
   refused("displacement = [1, 0, 0]\ntimes = [0, 1]\nfactors = [0, 1]\nramp = \"hold\"\n",
           "would make a displacement jump");
   refused("displacement = [1, 0, 0]\nfactor = \"t\"\n[[fix]]\nwhere = \"x > 0.2 - 1e-6\"\n", "prescribe the motion");
