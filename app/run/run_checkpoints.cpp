@@ -52,21 +52,22 @@ void RunCheckpoints::writeAsItIs() {
     return;
   }
   const double before = run_.result.outputTime;
+  const auto writeAll = [this] {
+    const Stopwatch measured(run_.result.outputTime);
+    Checkpoint checkpoint = saved();
+    SavingArchive archive;
+    run_.archive(archive);
+    checkpoint.memory = archive.take();
+    return writeCheckpoint(run_.options.folder, checkpoint);
+  };
   std::size_t bytes = 0;
-  if (run_.options.part)
-    bytes = writeAndBeginAgain();
-  else
-    try {
-      const Stopwatch measured(run_.result.outputTime);
-      Checkpoint checkpoint = saved();
-      SavingArchive archive;
-      run_.archive(archive);
-      checkpoint.memory = archive.take();
-      bytes = writeCheckpoint(run_.options.folder, checkpoint);
-    } catch (const InputError& fault) {  // the disk is full: what there was stays
-      told_ = fmt::format("there is no checkpoint of step {}: {}", run_.result.steps, fault.what());
-      return;
-    }
+  try {
+    bytes = run_.options.part ? writeAndBeginAgain() : writeAll();
+  } catch (const InputError& fault) {  // the disk is full: what there was stays
+    if (run_.options.part) throw;      // the others wait
+    told_ = fmt::format("there is no checkpoint of step {}: {}", run_.result.steps, fault.what());
+    return;
+  }
   asItIs_ = true;
   const double seconds = run_.result.outputTime - before;
   told_ = fmt::format("step {}, t = {:.6g} s: checkpoint of {:.3g} MB written to {} in {:.2g} s", run_.result.steps,
