@@ -11,10 +11,11 @@
 #include <vector>
 
 #include <ringwatch/distributed/partition.h>
-#include <ringwatch/distributed/rank_energies.h>
+#include <ringwatch/distributed/rank_domain.h>
 #include <ringwatch/distributed/rank_monitor.h>
-#include <ringwatch/distributed/rank_stepper.h>
+#include <ringwatch/integrators/body_system.h>
 #include <ringwatch/meshes/generators/generators.h>
+#include <ringwatch/monitor/energy_balance.h>
 
 namespace ringwatch {
 namespace {
@@ -51,18 +52,18 @@ int run(const std::string& kind, double tets, int steps) {
     part = std::make_unique<RankBody>(whole, partitionMesh(ranks, whole.mesh()), ranks.rank(), 1);
   }
   Halo halo(ranks, *part);
-  RankSystem system(*part);
+  RankDomain domain(ranks, halo, *part);
+  BodySystem system(part->body());
   const std::unique_ptr<Integrator> integrator = makeIntegrator("symplectic-euler");
-  RankStepper stepper(halo, system, *integrator);
   RankMonitor monitor(ranks, halo, *part, {.limit = 2.0, .mode = MonitorMode::threshold});
-  state = system.ofBody().initialState();
+  state = system.initialState();
   // A wave through the block: the same velocity at a node for any number of ranks.
   for (Eigen::Index i = 0; i < state.v.cols(); ++i)
     state.v.col(i) =
         0.5 * Eigen::Vector3d(std::sin(40 * state.x(1, i)), std::sin(40 * state.x(2, i)), std::sin(40 * state.x(0, i)));
   StepEvaluation evaluation;
   int asked = 0;
-  const auto meanwhile = [&] { stepper.takeForce(state, evaluation.internalForce); };
+  const auto meanwhile = [&] { system.complete(state, evaluation); };
   double h = 1e-9;  // s, until the first bracket
   h = 0.5 * monitor.observe(0, 0, state.x, state.v, h, evaluation, asked, meanwhile).certified;
   std::vector<double> setUp{now() - setUpBegan};
@@ -75,8 +76,9 @@ int run(const std::string& kind, double tets, int steps) {
     evaluation.arrival = halo.arrival();
     part->body().evaluate(state.x, evaluation, workspace);
     evaluation.arrival = nullptr;
-    stepper.takeForce(state, evaluation.internalForce);
-    stepper.beginStep(state, h);
+    system.complete(state, evaluation);
+    integrator->advance(system, state, h);
+    halo.begin(state.x);
   };
   for (int k = 0; k < 5; ++k) takePlain();
   for (int k = 0; k < steps; ++k) {
@@ -91,7 +93,8 @@ int run(const std::string& kind, double tets, int steps) {
     const double began = now();
     const MonitorReport& report = monitor.observe(k + 1, state.time, state.x, state.v, h, evaluation, asked, meanwhile);
     proven &= report.verdict == Verdict::certified;
-    stepper.beginStep(state, h);
+    integrator->advance(system, state, h);
+    halo.begin(state.x);
     certified[k] = now() - began;
   }
   halo.finish();
@@ -104,7 +107,7 @@ int run(const std::string& kind, double tets, int steps) {
   ranks.largest(waited);
   ranks.largest(plain);
   ranks.largest(certified);
-  const RankEnergies energies = energiesOf(ranks, *part, state.x, state.v);
+  const Energies energies = EnergyBalance(part->body()).evaluate(state.x, state.v);
   std::vector<double> most{static_cast<double>(part->elements()), static_cast<double>(part->ghostNodes()),
                            static_cast<double>(halo.traffic().bytes - sentBefore.bytes) / steps,
                            static_cast<double>(monitor.cost().evaluated - before.evaluated) / steps};

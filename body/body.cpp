@@ -78,7 +78,8 @@ Body::Body(Mesh mesh, std::vector<std::unique_ptr<ElementBlock>> blocks, Eigen::
 Body::Body(const Body& whole, const std::vector<std::vector<bool>>& chosen)
     : TangentSource(whole.constraints(), whole.threads()),
       options_(whole.options_),
-      externalForce_(whole.externalForce_) {
+      externalForce_(whole.externalForce_),
+      domain_(whole.domain_) {
   if (whole.discreteForces() && !whole.discreteForces()->nodes().empty())
     throw InputError("chosen elements: a body with springs or contact cannot be taken apart into its elements");
   const Mesh& all = whole.mesh_;

@@ -13,6 +13,10 @@
 
 namespace ringwatch {
 
+class Domain;
+/// The domain of a process that has all of its body.
+Domain& wholeDomain();
+
 /// How an element's mass goes to its nodes.
 enum class Lumping {
   rowSum,  ///< m_a = ρ ∫ N_a dV, row sums of the consistent mass; diagonal scaling for elements without positive ones
@@ -99,6 +103,9 @@ class Body : public TangentSource {
 
   const Mesh& mesh() const { return mesh_; }
   const std::vector<std::unique_ptr<ElementBlock>>& blocks() const { return blocks_; }
+  /// What the body is a part of, if it is one (body/domain.h); by reference.
+  Domain& domain() const { return *domain_; }
+  void setDomain(Domain& domain) { domain_ = &domain; }
   double totalMass() const { return lumpedMass().sum(); }
   /// Volume at rest, m³.
   double volume() const { return volume_; }
@@ -182,6 +189,7 @@ class Body : public TangentSource {
   double volume_ = 0;
   NodeVectors externalForce_;
   std::unique_ptr<ElementDamping> damping_;
+  Domain* domain_ = &wholeDomain();
 };
 
 }  // namespace ringwatch

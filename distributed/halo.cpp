@@ -39,21 +39,18 @@ Halo::Channel& Halo::channelOf(int numbers) {
   return channel;
 }
 
-void Halo::exchange(std::initializer_list<Field> fields) {
-  begin(fields);
+void Halo::exchange(double* data, int numbers) {
+  begin(data, numbers);
   finish();
 }
 
-void Halo::begin(std::initializer_list<Field> fields) {
+void Halo::begin(double* data, int numbers) {
   finish();
-  int numbers = 0;
-  for (const Field& field : fields) numbers += field.numbers;
   Channel& channel = channelOf(numbers);
   double* to = channel.sent.data();
   for (const RankBody::Neighbour& neighbour : part_.neighbours())
     for (const std::int32_t node : neighbour.sent)
-      for (const Field& field : fields)
-        to = std::copy_n(field.data + static_cast<std::ptrdiff_t>(node) * field.numbers, field.numbers, to);
+      to = std::copy_n(data + static_cast<std::ptrdiff_t>(node) * numbers, numbers, to);
   ++traffic_.exchanges;
   if (channel.requests.empty()) return;  // for which MPI_Startall has no array
   MPI_Startall(static_cast<int>(channel.requests.size()), channel.requests.data());
@@ -61,7 +58,8 @@ void Halo::begin(std::initializer_list<Field> fields) {
   traffic_.bytes += static_cast<std::int64_t>(channel.sent.size() * sizeof(double));
   traffic_.received += static_cast<std::int64_t>(channel.received.size() * sizeof(double));
   underWay_ = &channel;
-  fields_ = fields;
+  data_ = data;
+  numbers_ = numbers;
 }
 
 /// Receives and sends take turns in the requests.
@@ -72,11 +70,9 @@ void Halo::countArrived() {
   int count = 0;
   MPI_Testsome(static_cast<int>(requests.size()), requests.data(), &count, arrived_.data(), MPI_STATUSES_IGNORE);
   if (count == MPI_UNDEFINED) return;  // all had come before
-  int numbers = 0;
-  for (const Field& field : fields_) numbers += field.numbers;
   for (int i = 0; i < count; ++i)
     if (arrived_[i] % 2 == 0)
-      traffic_.hidden += static_cast<std::int64_t>(sizeof(double)) * numbers *
+      traffic_.hidden += static_cast<std::int64_t>(sizeof(double)) * numbers_ *
                          part_.neighbours()[static_cast<std::size_t>(arrived_[i] / 2)].receivedCount;
 }
 
@@ -86,12 +82,8 @@ void Halo::finish() {
   const double began = MPI_Wtime();
   MPI_Waitall(static_cast<int>(channel.requests.size()), channel.requests.data(), MPI_STATUSES_IGNORE);
   traffic_.waited += MPI_Wtime() - began;
-  const double* from = channel.received.data();
-  for (std::int32_t node = part_.ownedNodes(); node < part_.ownedNodes() + part_.ghostNodes(); ++node)
-    for (const Field& field : fields_) {
-      std::copy_n(from, field.numbers, field.data + static_cast<std::ptrdiff_t>(node) * field.numbers);
-      from += field.numbers;
-    }
+  std::copy_n(channel.received.data(), channel.received.size(),
+              data_ + static_cast<std::ptrdiff_t>(part_.ownedNodes()) * numbers_);
   underWay_ = nullptr;
 }
 

@@ -21,16 +21,13 @@ class Halo final : private NodeArrival {
   Halo& operator=(const Halo&) = delete;
 
   /// One vector a node, 3×N.
-  void exchange(NodeVectors& vectors) { exchange({{vectors.data(), 3}}); }
-  /// Two vectors a node in one message.
-  void exchange(NodeVectors& first, NodeVectors& second) { exchange({{first.data(), 3}, {second.data(), 3}}); }
+  void exchange(NodeVectors& vectors) { exchange(vectors.data(), 3); }
   /// Six numbers a node.
-  void exchange(Eigen::Matrix<double, 6, Eigen::Dynamic>& values) { exchange({{values.data(), 6}}); }
+  void exchange(Eigen::Matrix<double, 6, Eigen::Dynamic>& values) { exchange(values.data(), 6); }
 
   /// Sends the owners' values and comes back; ghosts have them after finish(). Until then the vectors must stay where
   /// they are, and their ghosts are not to be written. One exchange is under way at a time: another one finishes it.
-  void begin(NodeVectors& vectors) { begin({{vectors.data(), 3}}); }
-  void begin(NodeVectors& first, NodeVectors& second) { begin({{first.data(), 3}, {second.data(), 3}}); }
+  void begin(NodeVectors& vectors) { begin(vectors.data(), 3); }
   /// Waits for what is under way, if anything is.
   void finish();
   /// For StepEvaluation::arrival: a pass of the part's body at positions whose exchange is under way finishes it behind
@@ -49,18 +46,15 @@ class Halo final : private NodeArrival {
   std::int64_t sentNodes() const;
 
  private:
-  struct Field {
-    double* data;
-    int numbers;  // a node
-  };
   /// Buffers and requests of messages of so many numbers a node, made once.
   struct Channel {
     std::vector<double> sent, received;
     std::vector<MPI_Request> requests;
   };
   Channel& channelOf(int numbers);
-  void exchange(std::initializer_list<Field> fields);
-  void begin(std::initializer_list<Field> fields);
+  /// Of so many numbers a node.
+  void exchange(double* data, int numbers);
+  void begin(double* data, int numbers);
   void countArrived();
   std::span<const std::int64_t> patchesWithout() const override { return part_.patchesOfOwned(); }
   std::span<const std::int64_t> patchesWith() const override { return part_.patchesWithGhosts(); }
@@ -71,8 +65,9 @@ class Halo final : private NodeArrival {
   const RankBody& part_;
   std::map<int, Channel> channels_;
   Channel* underWay_ = nullptr;
-  std::vector<Field> fields_;  // of the exchange under way
-  std::vector<int> arrived_;   // for MPI_Testsome
+  double* data_ = nullptr;    // of the exchange under way
+  int numbers_ = 0;           // a node, of it
+  std::vector<int> arrived_;  // for MPI_Testsome
   Traffic traffic_;
 };
 

@@ -72,8 +72,10 @@ RankBody::RankBody(const Body& whole, const Partition& partition, int rank, int 
   for (std::int32_t i = 0; i < body_->nodeCount(); ++i) {
     const std::int32_t node = globalNodes_[i];
     for (int c = 0; c < 3; ++c)
-      if (whole.constraints().isConstrained(node, c))
+      if (whole.constraints().isConstrained(node, c)) {
+        if (whole.constraints().moving()) body_->constraints().move(i, c, 1);  // what moves once counts as moving
         body_->constraints().move(i, c, whole.constraints().velocity()(c, node));
+      }
     body_->externalForce().col(i) = whole.externalForce().col(node);
   }
 }

@@ -2,7 +2,7 @@
 
 #include <exception>
 
-#include <ringwatch/distributed/rank_energies.h>
+#include <ringwatch/distributed/rank_domain.h>
 
 namespace ringwatch {
 namespace {

@@ -281,16 +281,6 @@ void RankMonitor::setParts(int n) {
   unknown_ = true;
 }
 
-RankMonitor::Bound RankMonitor::boundFromScratch(NodeVectorsView x, int sweeps) {
-  NodalBound weights(part_.body());
-  weights.setRest(this);
-  const UpperBound highest = weights.evaluate(x, sweeps);
-  ExactSum evaluations;  // small whole numbers
-  evaluations.add(static_cast<double>(weights.evaluations()));
-  ranks_.sum({&evaluations, 1});
-  return {highest, static_cast<std::int64_t>(evaluations.value())};
-}
-
 CriticalStep RankMonitor::bracketFromScratch(NodeVectorsView x) {
   NodalBound& weights = certificate_.weights();
   weights.reset();

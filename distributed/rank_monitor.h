@@ -56,22 +56,9 @@ class RankMonitor final : private RestOfBody {
   /// Steps of h are taken as n of h/n from now on: brackets and what is certified are of such steps, n times those of a
   /// part. The next observation is a fresh one, whatever options.every.
   void setParts(int n);
-  /// The block nodal bound at x with weights of its own, by so many sweeps, and the evaluations of elements that it
-  /// took on all ranks.
-  struct Bound {
-    UpperBound highest;
-    std::int64_t evaluations;
-  };
-  Bound boundFromScratch(NodeVectorsView x, int sweeps);
   const std::vector<MonitorEvent>& events() const { return tracker_.events(); }
   /// Whether positions and velocities of all ranks were finite at the last observation.
   bool stateIsFinite() const { return finite_; }
-  /// The events and what they are told by, for the monitor of a run that goes on: nothing in it depends on the part.
-  template <class Archive>
-  void archiveEvents(Archive& a) {
-    a(tracker_, energies_);
-  }
-
   /// What it took so far.
   struct Cost {
     std::int64_t evaluated = 0;  // elements, on this rank

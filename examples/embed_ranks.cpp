@@ -2,10 +2,11 @@
 #include <exception>
 
 #include <ringwatch/distributed/partition.h>
-#include <ringwatch/distributed/rank_energies.h>
+#include <ringwatch/distributed/rank_domain.h>
 #include <ringwatch/distributed/rank_monitor.h>
-#include <ringwatch/distributed/rank_stepper.h>
+#include <ringwatch/integrators/body_system.h>
 #include <ringwatch/meshes/generators/generators.h>
+#include <ringwatch/monitor/energy_balance.h>
 
 namespace {
 
@@ -21,29 +22,30 @@ int run() {
   for (std::int32_t i = 0; i < whole.nodeCount(); ++i)
     if (whole.mesh().X(0, i) < 1e-9) whole.constraints().fix(i);
   whole.addBodyForce({0, 0, -9.81});
-  const RankBody part(whole, partitionMesh(ranks, whole.mesh()), ranks.rank(), 1);
+  RankBody part(whole, partitionMesh(ranks, whole.mesh()), ranks.rank(), 1);
 
   Halo halo(ranks, part);
-  RankSystem system(part);
+  RankDomain domain(ranks, halo, part);
+  BodySystem system(part.body());
   const std::unique_ptr<Integrator> integrator = makeIntegrator("symplectic-euler");
-  RankStepper stepper(halo, system, *integrator);
   RankMonitor monitor(ranks, halo, part, {.limit = integrator->info().imaginaryLimit});
-  State state = system.ofBody().initialState();
+  State state = system.initialState();
   StepEvaluation evaluation;
   double h = 1e-4;
   for (int step = 0; step < 200; ++step) {
     int asked = 0;
     const MonitorReport& report = monitor.observe(step, state.time, state.x, state.v, h, evaluation, asked,
-                                                  [&] { stepper.takeForce(state, evaluation.internalForce); });
+                                                  [&] { system.complete(state, evaluation); });
     if (!report.bracket) return 1;  // the state is no longer finite, and no step helps
     if (report.verdict != Verdict::certified) h = 0.9 * report.bracket->safe;
     if (ranks.rank() == 0 && step % 50 == 0)
       std::printf("step %d: h = %.3g s, critical step between %.17g and %.17g s: %s\n", step, h, report.bracket->safe,
                   report.bracket->optimistic, std::string(verdictName(report.verdict)).c_str());
-    stepper.beginStep(state, h);
+    integrator->advance(system, state, h);
+    halo.begin(state.x);  // ends behind the elements of the next observation that need no ghost
   }
   halo.finish();
-  const RankEnergies energies = energiesOf(ranks, part, state.x, state.v);
+  const Energies energies = EnergyBalance(part.body()).evaluate(state.x, state.v);
   const NodeVectors x = gathered(ranks, part, state.x);
   if (ranks.rank() == 0)
     std::printf("kinetic %.17g J, strain %.17g J, lowest node at z = %.17g m\n", energies.kinetic, energies.strain,

@@ -6,6 +6,8 @@
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/parallel.h>
+#include <ringwatch/body/domain.h>
+#include <ringwatch/handlers/imex/implicit_cluster.h>
 
 namespace ringwatch {
 
@@ -96,22 +98,50 @@ void Handler::prepareAs(const Handler& other, const NodeVectors& x) {
   handle(other.chosen_, x);
 }
 
+void Handler::prepareAsPart(const Handler& whole, const Body* explicitPart) {
+  inherit(whole);
+  h_ = whole.h_;
+  certified_ = whole.certified_;
+  selectionCost_ = whole.selectionCost_;
+  ofPart_ = explicitPart;
+  handled_ = whole.handled_;
+  ElementFlags chosen = noElements(body_.mesh());
+  for (std::size_t b = 0; b < chosen.size(); ++b)
+    for (std::size_t e = 0; e < chosen[b].size(); ++e) {
+      const ElementRef there = body_.domain().inWhole({b, e});
+      chosen[b][e] = whole.chosen_[there.block][there.element];
+    }
+  handle(std::move(chosen), body_.mesh().X);
+}
+
 void Handler::handle(ElementFlags chosen, const NodeVectors& x) {
   chosen_ = std::move(chosen);
   elements_ = chosenElements(chosen_);
+  if (body_.domain().whole()) handled_ = static_cast<std::int64_t>(elements_.size());
   determinants_.emplace(body_, elements_);
   reset();
-  if (!elements_.empty()) take(x, h_, chosen_);
+  if (handled_ > 0) take(x, h_, chosen_);
+}
+
+double Handler::dissipated() const {
+  ExactSum sum;
+  for (const HandledWork& work : works_) sum.add(work.dissipated());
+  body_.domain().sum({&sum, 1});
+  return dissipatedBefore_ + sum.value();
 }
 
 void Handler::closeWork() {
   dissipatedBefore_ = dissipated();
-  work_.reset();
+  works_.clear();
 }
 
 void Handler::countWork(double h) {
   closeWork();
-  work_.emplace(body_, elements_, h, body_.threads());
+  if (body_.domain().whole())
+    works_.emplace_back(body_, elements_, h, body_.threads());
+  else
+    for (const std::vector<ElementRef>& elements : clustersOf(body_, elements_))
+      works_.emplace_back(body_, elements, h, 1);
 }
 
 ElementFlags Handler::chooseFor(const NodeVectors& x, double lambda, const ElementFlags& keep) {
@@ -155,12 +185,12 @@ void requirePrepared(double h, double prepared) {
 }  // namespace
 
 StepStatus Handler::step(SecondOrderSystem& system, State& state, double h) {
-  if (!elements_.empty()) requirePrepared(h, h_);
+  if (handled_ > 0) requirePrepared(h, h_);
   return stepsAsBase() ? base_->step(system, state, h) : handledStep(system, state, h);
 }
 
 StepStatus Handler::advance(SecondOrderSystem& system, State& state, double h) {
-  if (!elements_.empty()) requirePrepared(h, h_);
+  if (handled_ > 0) requirePrepared(h, h_);
   return stepsAsBase() ? base_->advance(system, state, h) : handledStep(system, state, h);
 }
 
@@ -184,7 +214,8 @@ void Handler::requireCorotationalTetrahedra(const std::vector<ElementRef>& eleme
 
 StepStatus Handler::baseStep(SecondOrderSystem& system, State& state, double h, const std::string& fault) {
   before_ = state;
-  if (work_) work_->mark();
+  for (HandledWork& work : works_) work.mark();
+  ghostsAreThere_ = baseAcceleration_.cols() == 0;
   state.a.swap(baseAcceleration_);
   const StepStatus status = base_->step(system, state, h);
   state.a.swap(baseAcceleration_);
@@ -196,12 +227,12 @@ StepStatus Handler::baseStep(SecondOrderSystem& system, State& state, double h, 
 
 void Handler::takeBack(State& state) {
   state = before_;
-  if (work_) work_->revert();
+  for (HandledWork& work : works_) work.revert();
   reset();
 }
 
 std::optional<Body::LeastDeterminant> Handler::leastHandledDeterminant(const NodeVectors& x) const {
-  return explicitPart_ ? leastDeterminantOfChosen(x) : std::nullopt;
+  return explicitPart_ || ofPart_ ? leastDeterminantOfChosen(x) : std::nullopt;
 }
 
 std::optional<Body::LeastDeterminant> Handler::leastDeterminantOfChosen(const NodeVectors& x) const {
@@ -209,8 +240,9 @@ std::optional<Body::LeastDeterminant> Handler::leastDeterminantOfChosen(const No
 }
 
 void Handler::detach(const ElementFlags& chosen, const Eigen::VectorXd& mass) {
-  const ElementFlags left = complement(chosen);
   inverseMass_ = body_.lumpedMass().cwiseInverse();
+  if (ofPart_) return;
+  const ElementFlags left = complement(chosen);
   numbers_ = elementNumbers(left);
   if (mass.size() == 0)
     explicitPart_.emplace(body_, left);
@@ -219,13 +251,15 @@ void Handler::detach(const ElementFlags& chosen, const Eigen::VectorXd& mass) {
 }
 
 void Handler::explicitAcceleration(const NodeVectors& x, NodeVectors& a) {
-  explicitBody().internalForce(x, explicitForce_, explicitWorkspace_);
+  const NodeVectors& at = std::exchange(ghostsAreThere_, false) ? x : body_.domain().withGhosts(x);
+  explicitBody().internalForce(at, explicitForce_, explicitWorkspace_);
   a.resize(3, x.cols());
   const auto accelerate = [&](Eigen::Index i) {
     a.col(i) = (body_.externalForce().col(i) - explicitForce_.col(i)) * inverseMass_[i];
   };
   parallelFor(0, x.cols(), body_.threads(), accelerate, nodesOfAThread);
   body_.constraints().clearConstrained(a);
+  a.rightCols(a.cols() - body_.domain().owned(a.cols())).setZero();
 }
 
 Body Handler::partWithMass(const ElementFlags& elements, const Eigen::VectorXd& mass) const {

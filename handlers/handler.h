@@ -99,6 +99,13 @@ class Handler : public Integrator {
   /// Handles what another handler of this body has chosen, for the steps that it was prepared for, from positions x
   /// (3×N, m) on: without a choice of its own.
   void prepareAs(const Handler& other, const NodeVectors& x);
+  /// Handles, on a part of the body of another handler (body/domain.h), what that one has chosen for the whole.
+  /// explicitPart: the part of its explicitBody() on this body's nodes, nullptr where no element leaves it. On the
+  /// first process both must outlive the handler, which takes what figures of the whole it needs from there.
+  /// Collective.
+  void prepareAsPart(const Handler& whole, const Body* explicitPart);
+  /// Why steps of parts of a body cannot be taken with the elements that are chosen, "" where they can.
+  virtual std::string whyNotInParts() const { return {}; }
   /// Takes a step of the size that it was prepared for; another throws InputError.
   StepStatus step(SecondOrderSystem& system, State& state, double h) override;
   StepStatus advance(SecondOrderSystem& system, State& state, double h) override;
@@ -111,9 +118,13 @@ class Handler : public Integrator {
   /// The handled elements, as flags and ascending.
   const ElementFlags& chosen() const { return chosen_; }
   const std::vector<ElementRef>& elements() const { return elements_; }
+  /// Their number, in the whole body.
+  std::int64_t handledElements() const { return handled_; }
+  /// Steps that its own are divided into, where explicitBody() does not show it: on a part of a body.
+  virtual int partsOfStep() const { return 1; }
   /// The elements that the base scheme alone must be stable for, on the whole lumped mass: what a monitor watches. The
   /// body itself where no element leaves the explicit part.
-  const Body& explicitBody() const { return explicitPart_ ? *explicitPart_ : body_; }
+  const Body& explicitBody() const { return ofPart_ ? *ofPart_ : explicitPart_ ? *explicitPart_ : body_; }
   /// The element of the body that has a number in explicitBody().
   ElementRef toParentElement(ElementRef part) const;
   /// Whether the explicit part is proven stable for the tangent at the positions it was prepared for; by the theorem
@@ -122,7 +133,8 @@ class Handler : public Integrator {
   virtual std::vector<HandlerFigure> figures() const { return {}; }
   /// What the time integration of the handled elements has taken from their energy since the handler was made, J
   /// (HandledWork). Less than nothing: it has added to it.
-  virtual double dissipated() const { return dissipatedBefore_ + (work_ ? work_->dissipated() : 0); }
+  /// Collective.
+  virtual double dissipated() const;
   /// Whether steps of which every element is handled are proven stable for the tangent at each state, as they are where
   /// the explicit part is certified and nothing else is assumed.
   virtual bool provesHandledPart() const { return false; }
@@ -149,7 +161,7 @@ class Handler : public Integrator {
   /// Takes over what the handler of the body before a cut knows, but for its choice: before the first choice.
   virtual void inherit(const Handler&) {}
   /// Whether a step is one of the base scheme on the system itself.
-  virtual bool stepsAsBase() const { return elements_.empty(); }
+  virtual bool stepsAsBase() const { return handled_ == 0; }
   /// Whether handledStep begins with the acceleration of the state by the system, and takes State::a for it.
   virtual bool handledBeginsWithAcceleration() const { return false; }
   /// A step of the base scheme in which the system may find a fault: then the state is as before it, and the status
@@ -171,6 +183,7 @@ class Handler : public Integrator {
   /// Leaves the chosen elements out of explicitBody(); with mass (kg, N numbers > 0), that is its lumped mass.
   void detach(const ElementFlags& chosen, const Eigen::VectorXd& mass = {});
   /// The acceleration at x (3×N, m) by loads and the elements of explicitBody(), m/s², of the lumped mass of the body.
+  /// Collective.
   void explicitAcceleration(const NodeVectors& x, NodeVectors& a);
   /// explicitBody() is the body itself again.
   void attachAll() { explicitPart_.reset(); }
@@ -188,7 +201,9 @@ class Handler : public Integrator {
   void countWork(double h);
   /// Keeps what was dissipated with the choice before; the work is counted by the handler itself.
   void closeWork();
-  HandledWork& work() { return *work_; }
+  HandledWork& work() { return works_.front(); }
+  /// That of all elements together or, on a part of a body, of each cluster.
+  std::span<HandledWork> works() { return works_; }
   /// Notes the cost of a choice that is not one of chooseFor().
   void noteSelectionCost(SelectionCost cost) { selectionCost_ = cost; }
 
@@ -212,9 +227,12 @@ class Handler : public Integrator {
   std::optional<LeastDeterminant> determinants_;  // of elements_
   IncrementalSelection selection_;
   SelectionCost selectionCost_;
-  std::optional<HandledWork> work_;
+  std::vector<HandledWork> works_;
   double dissipatedBefore_ = 0;  // J, with the choices before
   std::optional<Body> explicitPart_;
+  const Body* ofPart_ = nullptr;  // explicitBody() of prepareAsPart()
+  std::int64_t handled_ = 0;
+  bool ghostsAreThere_ = false;  // at the positions that an acceleration is asked for next
   Eigen::VectorXd inverseMass_;  // of the body
   NodeVectors explicitForce_;
   Body::Workspace explicitWorkspace_;

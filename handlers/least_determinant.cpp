@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+
+#include <ringwatch/base/infinity.h>
+#include <ringwatch/body/domain.h>
 
 namespace ringwatch {
 
@@ -13,6 +17,20 @@ LeastDeterminant::LeastDeterminant(const Body& body, std::span<const ElementRef>
 }
 
 std::optional<Body::LeastDeterminant> LeastDeterminant::at(NodeVectorsView x) const {
+  std::optional<Body::LeastDeterminant> least = here(x);
+  Domain& domain = body_->domain();
+  if (domain.whole()) return least;
+  double most = least ? -least->value : -infinity;
+  domain.largest({&most, 1});
+  std::optional<ElementRef> found;
+  if (least && (std::isnan(most) ? std::isnan(least->value) : most == -least->value)) found = least->element;
+  std::string none;
+  found = domain.firstFound(found, none);
+  if (!found) return std::nullopt;
+  return Body::LeastDeterminant{-most, *found};
+}
+
+std::optional<Body::LeastDeterminant> LeastDeterminant::here(NodeVectorsView x) const {
   std::optional<Body::LeastDeterminant> least;
   double values[lanes];
   for (std::size_t b = 0; b < places_.size(); ++b) {

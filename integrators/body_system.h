@@ -1,6 +1,7 @@
 #pragma once
 #include <ringwatch/body/body.h>
 #include <ringwatch/body/discrete_forces.h>
+#include <ringwatch/body/domain.h>
 #include <ringwatch/integrators/integrator.h>
 
 namespace ringwatch {
@@ -15,7 +16,8 @@ inline const Eigen::Matrix3d& diagonalBlock(const BlockMatrix& K, std::size_t i)
 /// A body as a second-order system: m a = external force - internal force(x) - (alpha M + beta K(x)) v - what elements
 /// that damp, dashpots, viscous contact and friction of its discrete forces resist with; constrained components get a =
 /// 0, so that their prescribed velocity stays what it is in every scheme. Nodes of rigid bodies get the accelerations
-/// of a rigid motion, without those that turning takes, which findTiedMotion() has. K is the exact tangent at x.
+/// of a rigid motion, without those that turning takes, which findTiedMotion() has. K is the exact tangent at x. Ghosts
+/// of a part of a body (body/domain.h) get a = 0: they go where their owners say, by an exchange after each step.
 class BodySystem final : public DifferentiableSystem {
  public:
   /// The body must outlive the system; call followMasses() where its masses change.
@@ -23,10 +25,11 @@ class BodySystem final : public DifferentiableSystem {
       : body_(body), damping_(damping), inverseMass_(body.lumpedMass().cwiseInverse().transpose()) {}
 
   void acceleration(double, const NodeVectors& x, const NodeVectors& v, NodeVectors& a) override {
-    prepare(x, v, a, true);
-    body_.resistingForce(x, v, internalForce_, workspace_,
+    const NodeVectors& at = body_.domain().withGhosts(x);
+    prepare(at, v, a, true);
+    body_.resistingForce(at, v, internalForce_, workspace_,
                          [&](std::int64_t begin, std::int64_t end) { accelerate(internalForce_, a, begin, end); });
-    constrain(x, a);
+    constrain(at, a);
   }
   /// The acceleration where the internal force at x (3×N, N) is known, as from Body::evaluate. withElementDamping: it
   /// has the damping force of elements in it (StepEvaluation::velocities).
@@ -66,9 +69,11 @@ class BodySystem final : public DifferentiableSystem {
   }
   /// The same without the damping force of elements (Body::setElementDamping).
   void dampingForceBesideElements(const NodeVectors& x, const NodeVectors& v, NodeVectors& force) {
-    if (damping_.beta != 0)
-      body_.tangentProduct(x, v, force, workspace_, 0.0);
-    else
+    if (damping_.beta != 0) {
+      const bool whole = body_.domain().whole();
+      if (!whole) body_.domain().exchange(withGhosts_ = v);
+      body_.tangentProduct(x, whole ? v : withGhosts_, force, workspace_, 0.0);
+    } else
       force.setZero(3, x.cols());
     force = damping_.beta * force + damping_.alpha * v * body_.lumpedMass().asDiagonal();
     if (const DiscreteForces* discrete = body_.discreteForces()) discrete->addDampingForce(x, v, force);
@@ -135,6 +140,8 @@ class BodySystem final : public DifferentiableSystem {
   void constrain(const NodeVectors& x, NodeVectors& a) const {
     body_.constraints().clearConstrained(a);
     body_.constraints().projectTied(x, a);
+    // Ghosts go where their owners say.
+    a.rightCols(a.cols() - body_.domain().owned(a.cols())).setZero();
   }
 
   struct TiedMotion {
@@ -145,7 +152,7 @@ class BodySystem final : public DifferentiableSystem {
   std::vector<TiedMotion> tied_;  // of each rigid body, of its nodes
   RayleighDamping damping_;
   Eigen::RowVectorXd inverseMass_;
-  NodeVectors internalForce_, dampingForce_;
+  NodeVectors internalForce_, dampingForce_, withGhosts_;
   bool addsDamping_ = false;  // dampingForce_ is not in the internal force and counts
   Body::Workspace workspace_;
   SparseTangent tangent_;

@@ -6,6 +6,8 @@
 
 #include <Eigen/Geometry>
 
+#include <ringwatch/body/domain.h>
+#include <ringwatch/body/element_energy.h>
 #include <ringwatch/monitor/mean_rate.h>
 
 namespace ringwatch {
@@ -24,6 +26,11 @@ double dot(const NodeVectors& a, const NodeVectors& b, int threads) {
   });
 }
 
+/// a·b, rounded alike for every node, wherever its column lies: a compiler may fuse an expression in some places only.
+double dotAt(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return std::fma(a[0], b[0], std::fma(a[1], b[1], a[2] * b[2]));
+}
+
 }  // namespace
 
 double roundingEnergy(double modulus, double volume) {
@@ -37,6 +44,11 @@ double roundingEnergy(const Body& body) {
   return roundingEnergy(modulus, body.volume());
 }
 
+EnergyBalance::EnergyBalance(const Body& body)
+    : body_(body), owned_(static_cast<std::int32_t>(body.domain().owned(body.nodeCount()))) {
+  work_ = dissipated_ = Eigen::VectorXd::Zero(body.domain().whole() ? 1 : std::max(owned_, 2));
+}
+
 void EnergyBalance::record(const NodeVectors& x, const NodeVectors& internalForce) {
   const Constraints& constraints = body_.constraints();
   if (!started_) {
@@ -46,8 +58,9 @@ void EnergyBalance::record(const NodeVectors& x, const NodeVectors& internalForc
     // A component that has been constrained since then counts from now on.
     for (std::size_t k = 0; k < supported_.size(); ++k) {
       const std::int64_t i = constraints.components()[k];
-      if (constraints.velocity().data()[i] != 0)
-        prescribedWork_ += meanRate(supported_[k].force, internalForce.data()[i]) * (x.data()[i] - supported_[k].x);
+      if (constraints.velocity().data()[i] == 0 || i / 3 >= owned_) continue;
+      double& work = work_[place(i / 3)];
+      work = std::fma(meanRate(supported_[k].force, internalForce.data()[i]), x.data()[i] - supported_[k].x, work);
     }
   }
   if (!constraints.moving()) return;
@@ -76,46 +89,55 @@ void EnergyBalance::recordGuided(const NodeVectors& x, const NodeVectors& intern
     if (r >= before.size()) continue;
     const Guided& last = before[r];
     for (std::size_t c = 0; c < 3; ++c)
-      if (guide.components[c])
-        prescribedWork_ += meanRate(last.force[c], own.force[c]) * (own.point[c] - last.point[c]);
+      if (guide.components[c]) work_[0] += meanRate(last.force[c], own.force[c]) * (own.point[c] - last.point[c]);
     if (guide.turning != RigidGuide::Turning::prescribed) continue;
     const Eigen::AngleAxisd turned(Matrix3d(rotation * Matrix3d::Map(last.rotation.data()).transpose()));
-    prescribedWork_ += turned.angle() * meanRate(turned.axis().dot(Vector3d::Map(last.torque.data())),
-                                                 turned.axis().dot(Vector3d::Map(own.torque.data())));
+    work_[0] += turned.angle() * meanRate(turned.axis().dot(Vector3d::Map(last.torque.data())),
+                                          turned.axis().dot(Vector3d::Map(own.torque.data())));
   }
+}
+
+Eigen::VectorXd EnergyBalance::power(const NodeVectors& a, const NodeVectors& b) const {
+  if (body_.domain().whole()) return Eigen::VectorXd::Constant(1, dot(a, b, body_.threads()));
+  Eigen::VectorXd ofNode = Eigen::VectorXd::Zero(work_.size());
+  for (std::int32_t i = 0; i < owned_; ++i) ofNode[i] = dotAt(a.col(i), b.col(i));
+  return ofNode;
 }
 
 void EnergyBalance::recordDamping(double time, const NodeVectors& x, const NodeVectors& v,
                                   const NodeVectors& dampingForce, double inForce) {
   const Constraints& constraints = body_.constraints();
-  DampingPower now{time, dot(dampingForce, v, body_.threads()) + inForce, 0};
+  DampingPower now{time, power(dampingForce, v), Eigen::VectorXd::Zero(work_.size())};
+  now.all[0] += inForce;
   if (constraints.moving()) {
-    now.atSupports = dot(dampingForce, constraints.velocity(), body_.threads());
+    now.atSupports = power(dampingForce, constraints.velocity());
     for (const RigidBody& body : constraints.rigidBodies()) {
       if (!body.guide().moves()) continue;
       const RigidBody::Load load = body.loadAbout(body.point(x), x, dampingForce);
-      now.atSupports += load.force.dot(body.guide().velocity) + load.torque.dot(body.guide().angularVelocity);
+      now.atSupports[0] += load.force.dot(body.guide().velocity) + load.torque.dot(body.guide().angularVelocity);
     }
   }
   if (damping_) {
     const double passed = time - damping_->time;
-    dissipated_ += passed * meanRate(damping_->all, now.all);
-    prescribedWork_ += passed * meanRate(damping_->atSupports, now.atSupports);
+    for (Eigen::Index i = 0; i < work_.size(); ++i) {
+      dissipated_[i] = std::fma(passed, meanRate(damping_->all[i], now.all[i]), dissipated_[i]);
+      work_[i] = std::fma(passed, meanRate(damping_->atSupports[i], now.atSupports[i]), work_[i]);
+    }
   }
-  damping_ = now;
+  damping_ = std::move(now);
 }
 
 void EnergyBalance::recordObstacles(double time, const DiscreteForces::ObstaclePower& power) {
   if (obstacles_) {
     const double passed = time - obstacles_->time,
                  damping = passed * meanRate(obstacles_->power.damping, power.damping);
-    dissipated_ += damping;
-    prescribedWork_ += damping + passed * meanRate(obstacles_->power.elastic, power.elastic);
+    dissipated_[0] += damping;
+    work_[0] += damping + passed * meanRate(obstacles_->power.elastic, power.elastic);
   }
   obstacles_ = {time, power};
 }
 
-Energies EnergyBalance::energies(const NodeVectors& x, const NodeVectors& v, double strainEnergy) {
+Energies EnergyBalance::sums(const NodeVectors& x, const NodeVectors& v, double strainEnergy) const {
   Energies e;
   e.kinetic = 0.5 * parallelSum(v.cols(), body_.threads(), [&](Eigen::Index begin, Eigen::Index end) {
                 const Eigen::VectorXd squares = v.middleCols(begin, end - begin).colwise().squaredNorm();
@@ -123,7 +145,7 @@ Energies EnergyBalance::energies(const NodeVectors& x, const NodeVectors& v, dou
               });
   e.strain = strainEnergy;  // may be no number, as long as elements are inverted
   const NodeVectors& load = body_.externalForce();
-  e.externalWork = prescribedWork_ + parallelSum(x.cols(), body_.threads(), [&](Eigen::Index begin, Eigen::Index end) {
+  e.externalWork = work_[0] + parallelSum(x.cols(), body_.threads(), [&](Eigen::Index begin, Eigen::Index end) {
                      const auto part = nodes(load, begin, end);
                      if (part.cwiseAbs().sum() == 0) return 0.0;  // most bodies have few loaded nodes or none
                      return part.cwiseProduct(nodes(x, begin, end) - nodes(firstX_, begin, end)).sum();
@@ -131,7 +153,36 @@ Energies EnergyBalance::energies(const NodeVectors& x, const NodeVectors& v, dou
   // Dead forces at moved components do no work on the body that their support does not take back.
   for (const std::int64_t i : body_.constraints().components())
     if (load.data()[i] != 0) e.externalWork -= load.data()[i] * (x.data()[i] - firstX_.data()[i]);
-  e.dissipated = dissipated_;
+  e.dissipated = dissipated_[0];
+  return e;
+}
+
+Energies EnergyBalance::sumsOfParts(const NodeVectors& x, const NodeVectors& v) const {
+  Domain& domain = body_.domain();
+  enum : std::size_t { kinetic, strain, external, dissipated };
+  std::array<ExactSum, 4> sums;
+  for (std::int32_t i = 0; i < owned_; ++i) {
+    sums[kinetic].add(0.5 * body_.lumpedMass()[i] * dotAt(v.col(i), v.col(i)));
+    double work = work_[i];
+    for (int c = 0; c < 3; ++c)
+      if (!body_.constraints().isConstrained(i, c))
+        work = std::fma(body_.externalForce()(c, i), x(c, i) - firstX_(c, i), work);
+    sums[external].add(work);
+    sums[dissipated].add(dissipated_[i]);
+  }
+  const std::vector<std::vector<double>> ofElements = strainEnergyOfElements(body_, x);
+  for (std::size_t b = 0; b < ofElements.size(); ++b)
+    for (std::size_t e = 0; e < ofElements[b].size(); ++e)
+      if (domain.counts({b, e})) sums[strain].add(ofElements[b][e]);
+  domain.sum(sums);
+  return {.kinetic = sums[kinetic].value(),
+          .strain = sums[strain].value(),
+          .externalWork = sums[external].value(),
+          .dissipated = sums[dissipated].value()};
+}
+
+Energies EnergyBalance::energies(const NodeVectors& x, const NodeVectors& v, double strainEnergy) {
+  Energies e = body_.domain().whole() ? sums(x, v, strainEnergy) : sumsOfParts(x, v);
   const double total = e.kinetic + e.strain + e.dissipated - e.externalWork;
   if (!hasReference_ && std::isfinite(total)) {
     referenceEnergy_ = total;

@@ -27,9 +27,12 @@ double roundingEnergy(double modulus, double volume);
 /// start). Damping takes ∫ v · C v dt, by the same rule; what of it acts at moved nodes their support has to bring up,
 /// as work of its own. Moving obstacles do work on the nodes that they touch, of which what goes through damping and
 /// friction is dissipated by their velocity against the nodes.
+///
+/// Of a part of a body (body/domain.h) it is that of the whole: works are summed along the run at each own node, and
+/// over nodes exactly (Theorem 84, docs/theory/distribution.md), so that energies have the same bits for any partition.
 class EnergyBalance {
  public:
-  explicit EnergyBalance(const Body& body) : body_(body) {}
+  explicit EnergyBalance(const Body& body);
 
   /// Adds a state with its internal force (3×N, N), which is read only where motion is prescribed. Call it at every
   /// step then, else whenever wanted; the first call is the start.
@@ -42,26 +45,45 @@ class EnergyBalance {
   /// Adds a time (s) with the power of moving obstacles there. Call it at every step of a run with them, as
   /// recordDamping.
   void recordObstacles(double time, const DiscreteForces::ObstaclePower& power);
+  /// Adds work, J, by a node, that record() does not know of.
+  void addWork(std::int32_t node, double work) {
+    if (node < owned_) work_[place(node)] += work;
+  }
   /// Energies at the state that was recorded last: its positions x and velocities v (3×N, m and m/s), its strain energy
-  /// (J).
+  /// (J), which a part of a body sums up itself. Collective.
   Energies energies(const NodeVectors& x, const NodeVectors& v, double strainEnergy);
   /// Both at once for a state whose force and strain energy are not known: one pass over the elements.
   Energies evaluate(const NodeVectors& x, const NodeVectors& v);
 
   template <class Archive>
   void archive(Archive& a) {
-    a(started_, hasReference_, prescribedWork_, dissipated_, referenceEnergy_, damping_, obstacles_, firstX_,
-      supported_, guided_);
+    a(started_, hasReference_, work_, dissipated_, referenceEnergy_, damping_, obstacles_, firstX_, supported_,
+      guided_);
   }
 
  private:
   void recordGuided(const NodeVectors& x, const NodeVectors& internalForce);
 
+  std::int32_t place(std::int64_t node) const { return work_.size() > 1 ? static_cast<std::int32_t>(node) : 0; }
+  /// Σ a·b over nodes, by place.
+  Eigen::VectorXd power(const NodeVectors& a, const NodeVectors& b) const;
+  /// energies() but for the balance error.
+  Energies sums(const NodeVectors& x, const NodeVectors& v, double strainEnergy) const;
+  Energies sumsOfParts(const NodeVectors& x, const NodeVectors& v) const;
+
   const Body& body_;
+  std::int32_t owned_;  // nodes
   bool started_ = false, hasReference_ = false;
-  double prescribedWork_ = 0, dissipated_ = 0, referenceEnergy_ = 0;
+  double referenceEnergy_ = 0;
+  Eigen::VectorXd work_, dissipated_;  // J, of all nodes together or, of a part, of each own one
   struct DampingPower {
-    double time, all, atSupports;
+    double time = 0;
+    Eigen::VectorXd all, atSupports;  // W, likewise
+
+    template <class Archive>
+    void archive(Archive& a) {
+      a(time, all, atSupports);
+    }
   };
   std::optional<DampingPower> damping_;  // of the last record
   struct ObstaclePowerAt {

@@ -10,7 +10,11 @@
 namespace ringwatch {
 
 void endAll(const Ranks& ranks, const std::string& fault, ExitStatus status) {
-  std::fprintf(stderr, "ringwatch: %s: %s\n", ranks.name().c_str(), fault.c_str());
+  abortAll(ranks, fmt::format("{}: {}", ranks.name(), fault), status);
+}
+
+void abortAll(const Ranks& ranks, const std::string& text, ExitStatus status) {
+  std::fprintf(stderr, "ringwatch: %s\n", text.c_str());
   MPI_Abort(ranks.communicator(), static_cast<int>(status));
   std::abort();
 }

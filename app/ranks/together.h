@@ -26,6 +26,8 @@ Partition cutTogether(Ranks& ranks, const Mesh& mesh);
 
 /// Ends all ranks: others wait for this one, which cannot go on.
 [[noreturn]] void endAll(const Ranks& ranks, const std::string& fault, ExitStatus status);
+/// The same with a text that names the rank.
+[[noreturn]] void abortAll(const Ranks& ranks, const std::string& text, ExitStatus status);
 
 /// Throws on all ranks where the work of one has failed: on the first rank the fault of the first that failed, with the
 /// name of that one unless all have failed, and OtherRankFailed on the others. Collective.

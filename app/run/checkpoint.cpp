@@ -200,6 +200,13 @@ void requireSameMesh(const Checkpoint& checkpoint, const Scene& scene, const Bod
                                scene.meshFile.empty() ? scene.file.string() : scene.meshFile.string()));
 }
 
+void requireWrittenBy(const Checkpoint& checkpoint, bool ranks, const std::filesystem::path& folder) {
+  if (checkpoint.parts.contains("ranks") == ranks) return;
+  throw InputError(fmt::format(
+      "{}: was written by a run {}", (folder / checkpointFile).string(),
+      ranks ? "of one process; go on with it without mpirun" : "on several ranks; go on with it by mpirun"));
+}
+
 std::vector<double> prescribedVelocities(const Constraints& constraints) {
   std::vector<double> velocities;
   if (constraints.moving())

@@ -46,6 +46,8 @@ Scene sceneOf(const Checkpoint& checkpoint);
 /// Throws InputError that names the first key in which a scene differs from that of the checkpoint in the folder.
 void requireSameScene(const Checkpoint& checkpoint, const Scene& scene, const std::filesystem::path& folder);
 
+/// Throws InputError where the checkpoint in the folder was not written by a run on ranks, or by one of one process.
+void requireWrittenBy(const Checkpoint& checkpoint, bool ranks, const std::filesystem::path& folder);
 /// Throws InputError where the mesh of the body is not that of the checkpoint.
 void requireSameMesh(const Checkpoint& checkpoint, const Scene& scene, const Body& body);
 /// The prescribed velocities of the step that led to the state, m/s, by Constraints::components(): the work there is

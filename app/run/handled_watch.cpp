@@ -1,5 +1,7 @@
 #include <ringwatch/app/run/handled_watch.h>
 
+#include <ringwatch/body/domain.h>
+
 namespace ringwatch {
 
 std::optional<MonitorEvent> HandledWatch::observe(Handler& handler, const Body& body, std::int64_t step, double time,
@@ -11,13 +13,14 @@ std::optional<MonitorEvent> HandledWatch::observe(Handler& handler, const Body& 
     return std::nullopt;
   }
   if (!tracker_.isNew(EventKind::inverted)) return std::nullopt;
-  return tracker_.begin({.kind = EventKind::inverted,
-                         .step = step,
-                         .time = time,
-                         .value = least->value,
-                         .handled = true,
-                         .element = least->element,
-                         .cause = elementCause(body, x, least->element)});
+  return tracker_.begin(
+      {.kind = EventKind::inverted,
+       .step = step,
+       .time = time,
+       .value = least->value,
+       .handled = true,
+       .element = least->element,
+       .cause = body.domain().whole() ? std::optional(elementCause(body, x, least->element)) : std::nullopt});
 }
 
 std::optional<MonitorEvent> HandledWatch::observeEnergies(const Energies& energies, std::int64_t step, double time,

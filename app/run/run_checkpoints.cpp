@@ -10,32 +10,39 @@
 #include <ringwatch/app/scene/capabilities.h>
 #include <ringwatch/base/archive.h>
 #include <ringwatch/base/error.h>
+#include <ringwatch/body/domain.h>
 
 namespace ringwatch {
 
 bool RunCheckpoints::due() const {
   const auto& interval = run_.scene.checkpointInterval;
-  return interval && run_.result.steps > 0 && isFinite(run_.state, run_.body.threads()) &&
-         run_.state.time >= static_cast<double>(count_ + 1) * *interval - 1e-3 * run_.steps.step();
+  return interval && run_.result.steps > 0 &&
+         run_.state.time >= static_cast<double>(count_ + 1) * *interval - 1e-3 * run_.steps.step() && run_.isFinite();
 }
 
 void RunCheckpoints::write() {
+  const double reached = run_.state.time + 1e-3 * run_.steps.step();
+  // However many lie within a step.
+  count_ = std::max(count_ + 1, static_cast<std::int64_t>(reached / *run_.scene.checkpointInterval));
+  writeAndBeginAgain();
+}
+
+std::size_t RunCheckpoints::writeAndBeginAgain() {
   run_.scheme->stepper().complete(run_.state);
   run_.recordEnergies();
   run_.energies.beginBody();
   run_.watch.end();
-  const double reached = run_.state.time + 1e-3 * run_.steps.step();
-  // However many lie within a step.
-  count_ = std::max(count_ + 1, static_cast<std::int64_t>(reached / *run_.scene.checkpointInterval));
+  std::size_t bytes = 0;
   {
     const Stopwatch measured(run_.result.outputTime);
     Checkpoint checkpoint = saved();
     checkpoint.parts["recorder"] = run_.recorder.save();
-    writeCheckpoint(run_.options.folder, checkpoint);
+    if (run_.body.domain().first()) bytes = writeCheckpoint(run_.options.folder, checkpoint);
   }
   run_.beginWatch();
   run_.loads.begin(run_.state.x);
   goOn();
+  return bytes;
 }
 
 void RunCheckpoints::writeAsItIs() {
@@ -45,15 +52,19 @@ void RunCheckpoints::writeAsItIs() {
     return;
   }
   const double before = run_.result.outputTime;
-  std::size_t bytes = 0;
-  try {
+  const auto writeAll = [this] {
     const Stopwatch measured(run_.result.outputTime);
     Checkpoint checkpoint = saved();
     SavingArchive archive;
     run_.archive(archive);
     checkpoint.memory = archive.take();
-    bytes = writeCheckpoint(run_.options.folder, checkpoint);
+    return writeCheckpoint(run_.options.folder, checkpoint);
+  };
+  std::size_t bytes = 0;
+  try {
+    bytes = run_.options.part ? writeAndBeginAgain() : writeAll();
   } catch (const InputError& fault) {  // the disk is full: what there was stays
+    if (run_.options.part) throw;      // the others wait
     told_ = fmt::format("there is no checkpoint of step {}: {}", run_.result.steps, fault.what());
     return;
   }
@@ -68,7 +79,7 @@ std::string RunCheckpoints::whyNone() const {
   if (std::string reason = whyNot(run_.scene, Feature::savedStates); !reason.empty()) return reason;
   if (!run_.scheme->stepper().keepsNothing()) return "a run on a GPU has no checkpoints";
   if (run_.result.steps == 0) return "no step was taken yet";
-  if (!isFinite(run_.state, run_.body.threads())) return "positions or velocities are not finite";
+  if (!run_.isFinite()) return "positions or velocities are not finite";
   return {};
 }
 
@@ -78,39 +89,48 @@ Checkpoint RunCheckpoints::saved() {
   saved.sceneFile = run_.scene.file;
   if (!run_.scene.meshFile.empty()) saved.meshFile = std::filesystem::absolute(run_.scene.meshFile);
   saved.scene = run_.scene.echo;
-  saved.mesh = hashOf(run_.body.mesh());
+  Domain& domain = run_.body.domain();
   saved.state.time = run_.state.time;
-  saved.state.x = run_.state.x;
-  saved.state.v = run_.state.v;
+  saved.state.x = domain.gathered(run_.state.x);
+  saved.state.v = domain.gathered(run_.state.v);
+  const NodeVectors moved = domain.gathered(run_.body.constraints().velocity());
+  if (!run_.named()) return saved;  // another process writes it
+  Constraints& constraints = run_.named()->constraints();
+  if (!domain.whole())
+    for (const std::int64_t i : std::vector(constraints.components()))
+      constraints.move(static_cast<std::int32_t>(i / 3), static_cast<int>(i % 3), moved.data()[i]);
+  saved.mesh = hashOf(run_.named()->mesh());
   run_.output->sync();
   saved.parts = {{"result", savedResult(run_.result)}, {"energies", run_.energies.save()},
                  {"steps", run_.steps.save()},         {"watch", run_.watch.save()},
-                 {"output", run_.output->save()},      {"moved", prescribedVelocities(run_.body.constraints())},
+                 {"output", run_.output->save()},      {"moved", prescribedVelocities(constraints)},
                  {"checkpoints_due", count_},          {"last_verdict", std::string(verdictName(run_.lastVerdict))}};
+  if (!domain.whole()) saved.parts["ranks"] = true;
   return saved;
 }
 
 void RunCheckpoints::resume(const Checkpoint& saved) {
-  if (saved.parts.contains("ranks"))
-    throw InputError(fmt::format("{}: was written by a run on several ranks; go on with it by mpirun",
-                                 (run_.options.folder / checkpointFile).string()));
-  requireSameMesh(saved, run_.scene, run_.body);
+  Domain& domain = run_.body.domain();
+  if (domain.whole()) {
+    requireWrittenBy(saved, false, run_.options.folder);
+    requireSameMesh(saved, run_.scene, run_.body);
+  }
   run_.state.time = saved.state.time;
-  run_.state.x = saved.state.x;
-  run_.state.v = saved.state.v;
+  run_.state.x = domain.taken(saved.state.x);
+  run_.state.v = domain.taken(saved.state.v);
   run_.watch.end();
   const auto damaged = [&](const char* how) {
     return InputError(fmt::format("{}: does not fit this scene: {}; begin the run again",
                                   (run_.options.folder / checkpointFile).string(), how));
   };
   try {
-    resumeParts(saved);
+    domain.together([&] { resumeParts(saved); });
   } catch (const InputError& fault) {
     throw damaged(fault.what());
   } catch (const nlohmann::json::exception& fault) {
     throw damaged(fault.what());
   }
-  run_.output->resume(saved.parts.at("output"), run_.result.steps);
+  domain.together([&] { run_.output->resume(saved.parts.at("output"), run_.result.steps); });
   if (saved.memory.empty()) goOn();
 }
 
@@ -121,10 +141,11 @@ void RunCheckpoints::resumeParts(const Checkpoint& saved) {
   run_.watch.resume(saved.parts.at("watch"));
   count_ = saved.parts.at("checkpoints_due").get<std::int64_t>();
   run_.lastVerdict = savedVerdict(saved.parts.at("last_verdict"));
-  resumeMotion(run_.body.constraints(), saved.parts.at("moved").get<std::vector<double>>());
+  if (run_.body.domain().whole())
+    resumeMotion(run_.body.constraints(), saved.parts.at("moved").get<std::vector<double>>());
   run_.beginWatch();
   run_.loads.begin(run_.state.x);
-  run_.loads.setForces(run_.state.time, run_.state.x);
+  run_.loads.setForces(run_.state.time, run_.state.x, run_.energies.balance());
   if (saved.memory.empty()) return run_.recorder.resume(saved.parts.at("recorder"));
   LoadingArchive archive(saved.memory);
   run_.archive(archive);
@@ -139,7 +160,8 @@ void RunCheckpoints::goOn() {
 }
 
 std::string RunCheckpoints::howToGoOn() const {
-  const std::string command = fmt::format("ringwatch run --resume {} goes on ", run_.options.folder.string());
+  const std::string command = fmt::format("ringwatch run --resume {}{} goes on ", run_.options.folder.string(),
+                                          run_.options.part ? ", by mpirun," : "");
   if (asItIs_) return command + "from here";
   return told_ + (count_ > 0 ? "; " + command + "from the last one" : "");
 }

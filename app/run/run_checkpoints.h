@@ -19,7 +19,7 @@ class RunCheckpoints {
   /// Writes what a resumed run goes on from, and goes on from there itself: monitor and energy balance begin again.
   void write();
   /// Writes all that a resumed run needs to go on with the bits of this one, of which nothing changes: monitor and
-  /// energy balance go along. Some 100 bytes a tet4, where write() takes 48 a node.
+  /// energy balance go along. Some 100 bytes a tet4, where write() takes 48 a node. Of a part of a body it is write().
   void writeAsItIs();
   /// What came of the last writeAsItIs(), in one line, and whether there is a checkpoint of it.
   const std::string& whatCame() const { return told_; }
@@ -33,8 +33,10 @@ class RunCheckpoints {
  private:
   /// Why this run has no checkpoint of its state now, "" where it has.
   std::string whyNone() const;
-  /// What both kinds of checkpoints hold.
+  /// What both kinds of checkpoints hold. Collective.
   Checkpoint saved();
+  /// Returns the bytes of what the first process has written.
+  std::size_t writeAndBeginAgain();
   void resumeParts(const Checkpoint& saved);
   void goOn();
 

@@ -4,8 +4,8 @@
 
 namespace ringwatch {
 
-RunEnergies::RunEnergies(const Scene& scene, const Body& body)
-    : scene_(scene), body_(body), runaway_(roundingEnergy(body)) {
+RunEnergies::RunEnergies(const Scene& scene, const Body& body, double least)
+    : scene_(scene), body_(body), runaway_(least) {
   balance_.emplace(body);
 }
 
@@ -23,9 +23,9 @@ void RunEnergies::record(const State& state, const StepEvaluation& evaluation, B
     balance_->recordObstacles(state.time, body_.discreteForces()->obstaclePower(state.x, state.v));
   if (!rowDue) return;
   last_ = balance_->energies(state.x, state.v, evaluation.strainEnergy);
-  last_->externalWork += before_.externalWork + ownWork_;
+  last_->externalWork += before_.externalWork;
   last_->dissipated += before_.dissipated + byHandler_;
-  last_->balanceError += before_.balanceError - ownWork_ + byHandler_;
+  last_->balanceError += before_.balanceError + byHandler_;
   if (std::isfinite(last_->balanceError)) lastError_ = last_->balanceError;
 }
 
@@ -33,7 +33,7 @@ void RunEnergies::beginBody() {
   if (last_) before_ = *last_;
   before_.balanceError = lastError_;
   last_.reset();
-  ownWork_ = byHandler_ = 0;
+  byHandler_ = 0;
   balance_.emplace(body_);
 }
 

@@ -11,8 +11,8 @@ namespace ringwatch {
 /// The energies of a run, over cuts of its body, and whether they ran away.
 class RunEnergies {
  public:
-  /// Scene and body must outlive this.
-  RunEnergies(const Scene& scene, const Body& body);
+  /// least: an energy, J, below which none is a measure (roundingEnergy). Scene and body must outlive this.
+  RunEnergies(const Scene& scene, const Body& body, double least);
 
   /// Whether a state must be recorded. Prescribed motion, damping and moving obstacles do work in every step, so theirs
   /// need every step.
@@ -26,8 +26,8 @@ class RunEnergies {
   /// state, W, where it is known.
   void record(const State& state, const StepEvaluation& evaluation, BodySystem& system, bool rowDue,
               std::optional<double> dampingPower);
-  /// Work, J, that the body's balance does not know of, from the last record on.
-  void addExternalWork(double work) { ownWork_ += work; }
+  /// Of the body, for work that record() does not know of.
+  EnergyBalance& balance() { return *balance_; }
   /// What the handler of the body has dissipated, J (Handler::dissipated), as of the next record. What is gone does not
   /// come back: what a handler adds to the energy is an error of the balance.
   void setDissipatedByHandler(double energy) {
@@ -42,7 +42,7 @@ class RunEnergies {
   void resume(const nlohmann::ordered_json& saved);
   template <class Archive>
   void archive(Archive& a) {
-    a(*balance_, before_, ownWork_, last_, lastError_, runaway_);
+    a(*balance_, before_, byHandler_, last_, lastError_, runaway_);
   }
   /// The energies at the state recorded last, all bodies together; empty unless a row was due.
   const std::optional<Energies>& last() const { return last_; }
@@ -67,8 +67,8 @@ class RunEnergies {
   const Scene& scene_;
   const Body& body_;
   std::optional<EnergyBalance> balance_;
-  Energies before_;                     // what the bodies before have come to
-  double ownWork_ = 0, byHandler_ = 0;  // J, of the body now
+  Energies before_;       // what the bodies before have come to
+  double byHandler_ = 0;  // J, of the body now
   std::optional<Energies> last_;
   double lastError_ = 0;  // J, of the balance, the last one that was a number
   NodeVectors dampingForce_;

@@ -9,6 +9,8 @@
 
 #include <ringwatch/app/output/report.h>
 #include <ringwatch/app/run/checkpoint.h>
+#include <ringwatch/app/run/runner.h>
+#include <ringwatch/body/domain.h>
 #include <ringwatch/monitor/certificate_file.h>
 
 namespace ringwatch {
@@ -27,40 +29,33 @@ void removeOldResults(const std::filesystem::path& folder, std::initializer_list
 
 }  // namespace
 
-RunOutput::RunOutput(const Scene& scene, const Body& body, StepRule rule, std::filesystem::path folder)
-    : scene_(scene),
-      body_(&body),
-      ofFrames_(body),
-      pieces_(nullptr),
-      rule_(std::move(rule)),
-      folder_(std::move(folder)),
-      lock_(folder_),
-      certificates_(std::in_place, scene, body, folder_ / "certificates") {}
-
-RunOutput::RunOutput(const Scene& scene, const Body* body, const Body& part, FramePieces& pieces, StepRule rule,
-                     std::filesystem::path folder)
+RunOutput::RunOutput(const Scene& scene, const Body& body, StepRule rule, std::filesystem::path folder,
+                     const RunOfPart* part)
     : scene_(scene),
       body_(body),
-      ofFrames_(part),
-      pieces_(&pieces),
+      part_(part),
+      writes_(body.domain().first()),
       rule_(std::move(rule)),
-      folder_(std::move(folder)) {
-  if (!body) return;
-  lock_.emplace(folder_);
-  certificates_.emplace(scene, *body, folder_ / "certificates");
+      folder_(std::move(folder)),
+      certificates_(scene, body, folder_ / "certificates") {
+  if (writes_) lock_.emplace(folder_);
+}
+
+void RunOutput::beginFrames() {
+  if (scene_.frameInterval) frames_.emplace(folder_, scene_, body_, rule_, part_ ? part_->pieces : nullptr);
 }
 
 void RunOutput::open() {
   if (open_) return;
+  if (writes_) beginFiles();
+  beginFrames();
   open_ = true;
-  if (body_) beginFiles();
-  if (scene_.frameInterval) frames_.emplace(folder_, scene_, ofFrames_, rule_, pieces_);
 }
 
 void RunOutput::beginFiles() {
   removeOldResults(folder_, {"history.csv", "probes.csv", "summary.json", "run.pvd", "critical_step.png",
                              "critical_step.gp", "critical_step.dat", checkpointFile});
-  certificates_->begin(0);
+  certificates_.begin(0);
   history_.emplace(folder_);
   if (scene_.probed()) probes_.emplace(folder_ / "probes.csv", probesHeading_);
 }
@@ -68,25 +63,25 @@ void RunOutput::beginFiles() {
 void RunOutput::resume(const nlohmann::ordered_json& saved, std::int64_t step) {
   // What may be refused comes first: the folder stays as it was then, and nothing has begun.
   if (scene_.frameInterval) {
-    frames_.emplace(folder_, scene_, ofFrames_, rule_, pieces_);
+    beginFrames();
     frames_->goOnBehind(saved.at("frames").get<std::vector<double>>());
     nextFrame_ = saved.at("next_frame").get<double>();
     framesDue_ = saved.at("frames_due").get<std::int64_t>();
     lastFrame_ = saved.at("last_frame").get<std::int64_t>();
   }
   const auto bytesOf = [&](const char* file) { return saved.at(file).get<std::size_t>(); };
-  if (body_) {
+  if (writes_) {
     RowFile::requireBytes(folder_ / "history.csv", bytesOf("history"));
     if (scene_.probed()) RowFile::requireBytes(folder_ / "probes.csv", bytesOf("probes"));
   }
   open_ = true;
-  if (!body_) return;
+  if (!writes_) return;
   history_.emplace(folder_, bytesOf("history"));
   if (scene_.probed()) probes_.emplace(folder_ / "probes.csv", bytesOf("probes"));
   if (scene_.picture)
     for (const HistoryRow& row : readHistory(folder_)) keepForPicture(row);
   removeOldResults(folder_, {"summary.json", "critical_step.png", "critical_step.gp", "critical_step.dat"});
-  certificates_->begin(step);
+  certificates_.begin(step);
 }
 
 void RunOutput::goBack(const nlohmann::ordered_json& saved, std::int64_t step) {
@@ -103,13 +98,13 @@ void RunOutput::goBack(const nlohmann::ordered_json& saved, std::int64_t step) {
 }
 
 void RunOutput::sync() {
-  history_->sync();
+  if (history_) history_->sync();
   if (probes_) probes_->sync();
 }
 
 nlohmann::ordered_json RunOutput::save() {
   if (!open_) return nullptr;
-  return {{"history", history_->bytes()},
+  return {{"history", history_ ? history_->bytes() : 0},
           {"probes", probes_ ? probes_->bytes() : 0},
           {"frames", frames_ ? frames_->times() : std::vector<double>()},
           {"next_frame", nextFrame_},
@@ -156,10 +151,10 @@ void RunOutput::finish(RunResult& result, const State& state, const FrameState* 
     result.frames = frames_->count();
     result.files.push_back(fmt::format("run.pvd ({} frames)", frames_->count()));
   }
-  if (!body_) return;
-  if (const std::int64_t count = certificates_->count(); count > 0)
+  if (!writes_) return;
+  if (const std::int64_t count = certificates_.count(); count > 0)
     result.files.push_back(
-        fmt::format("certificates ({} files, of the body {:016x})", count, certifiedBodyHash(*body_)));
+        fmt::format("certificates ({} files, of the body {:016x})", count, certifiedBodyHash(body_)));
   if (pictured_) drawPicture(result);
 }
 
@@ -167,9 +162,9 @@ void RunOutput::drawPicture(RunResult& result) {
   if (result.firstViolated) picture_.markViolation(result.firstViolated->time);
   if (result.runaway) picture_.markRunaway(result.runaway->time);
   for (const CutRecord& cut : result.cuts) picture_.markCut(cut.time);
-  const std::string note =
-      picture_.draw(folder_, fmt::format("{}: {}, {}, {}", scene_.file.stem().string(), elementCounts(body_->mesh()),
-                                         modelsText(scene_.materials), scene_.method));
+  const std::string note = picture_.draw(folder_, fmt::format("{}: {}, {}, {}", scene_.file.stem().string(),
+                                                              elementCounts((part_ ? *part_->whole : body_).mesh()),
+                                                              modelsText(scene_.materials), scene_.method));
   if (note.empty())
     result.files.emplace_back("critical_step.png");
   else

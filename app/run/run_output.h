@@ -17,17 +17,17 @@
 
 namespace ringwatch {
 
+struct RunOfPart;
+
 /// The files of a run in progress: history.csv, probes.csv, frames and picture, in a folder that no other run may write
 /// into.
 class RunOutput {
  public:
   /// Takes the folder, which is made when it does not exist. Throws InputError when it cannot be written or another run
-  /// writes into it. Scene and body must outlive the output; a cut may replace the body's contents.
-  RunOutput(const Scene& scene, const Body& body, StepRule rule, std::filesystem::path folder);
-  /// That of a rank: the first one, whose body is the whole, writes all but the pieces of frames, which are of `part`.
-  /// body: nullptr on the others, which take no folder. All of them must outlive the output.
-  RunOutput(const Scene& scene, const Body* body, const Body& part, FramePieces& pieces, StepRule rule,
-            std::filesystem::path folder);
+  /// writes into it. Scene and body must outlive the output; a cut may replace the body's contents. part: where the
+  /// body is one; the first process writes all but the pieces of frames, and the others take no folder.
+  RunOutput(const Scene& scene, const Body& body, StepRule rule, std::filesystem::path folder,
+            const RunOfPart* part = nullptr);
 
   /// Removes what an earlier run left and begins history and frames, once: until it is known that there is a first
   /// step, old results stay.
@@ -62,24 +62,25 @@ class RunOutput {
   void writeFrame(std::int64_t step, const State& state, const FrameState& frame);
   /// A frame at positions and velocities between steps.
   void writeFrameBetween(const NodeVectors& x, const NodeVectors& v, const FrameState& frame);
-  RunCertificates& certificates() { return *certificates_; }
+  RunCertificates& certificates() { return certificates_; }
   /// Ends history and frames, the last frame of which is `last` unless it is there (nullptr: none), draws the picture
   /// and lists the files in the result.
   void finish(RunResult& result, const State& state, const FrameState* last);
 
  private:
   void beginFiles();
+  void beginFrames();
   void drawPicture(RunResult& result);
   void keepForPicture(const HistoryRow& row);
 
   const Scene& scene_;
-  const Body* body_;  // nullptr: another rank writes what there is once
-  const Body& ofFrames_;
-  FramePieces* pieces_;  // nullptr without ranks
+  const Body& body_;
+  const RunOfPart* part_;
+  bool writes_;  // what there is once
   StepRule rule_;
   std::filesystem::path folder_;
   std::optional<FolderLock> lock_;
-  std::optional<RunCertificates> certificates_;
+  RunCertificates certificates_;
   bool open_ = false;
   std::optional<HistoryWriter> history_;
   std::string probesHeading_;

@@ -93,7 +93,7 @@ void RunRepeats::restore(const Kept& kept) {
   run_.lastVerdict = kept.lastVerdict;
   resumeMotion(run_.body.constraints(), kept.moved);
   // The forces of that time: the next change of forces is counted from them.
-  run_.loads.setForces(run_.state.time, run_.state.x);
+  run_.loads.setForces(run_.state.time, run_.state.x, run_.energies.balance());
   LoadingArchive archive(kept.memory);
   run_.archive(archive);
   archive.end();

@@ -157,7 +157,7 @@ struct RunResult {
   struct Traffic {
     int ranks = 1;
     std::int64_t exchanges = 0, messages = 0, bytes = 0;  // exchanges: of each rank
-    std::int64_t bytesByModel = 0;                        // of the steps: 24 or 48 a ghost node
+    std::int64_t bytesByModel = 0;                        // of the steps: 24 a ghost node
     std::optional<double> hidden;                         // share of the bytes that had come behind work; empty of none
     double waited = 0;                                    // s, for the others, of the rank that waited longest
   };

@@ -4,19 +4,26 @@
 
 #include <ringwatch/app/command/integrator_catalog.h>
 #include <ringwatch/app/run/device_stepper.h>
+#include <ringwatch/app/run/runner.h>
 #include <ringwatch/app/scene/capabilities.h>
 #include <ringwatch/app/scene/scene_state.h>
 #include <ringwatch/base/error.h>
+#include <ringwatch/body/domain.h>
 #include <ringwatch/integrators/additive_system.h>
 #include <ringwatch/monitor/bounds/stiff_elements.h>
 
 namespace ringwatch {
 
-RunScheme::RunScheme(const Scene& scene, Body& body, RunResult& result, double h)
+RunScheme::RunScheme(const Scene& scene, Body& body, RunResult& result, double h, RunOfPart* part)
     : scene_(scene), body_(body), result_(result) {
   makeIntegrator();
   if (handler_) {
-    handler_->prepare(body_.mesh().X, h);
+    if (part) {
+      handler_->prepareAsPart(*part->handler, part->explicitPart);
+      if (!part->whole) part->handler.reset();  // some of the whole, which only the first process keeps
+    } else {
+      handler_->prepare(body_.mesh().X, h);
+    }
     noteChoice();
   }
   makeStepper(h);
@@ -60,7 +67,7 @@ void RunScheme::makeStepper(double h) {
 
 /// nullptr where the scene wants no GPU, or may do without one.
 std::unique_ptr<Stepper> RunScheme::onDevice(double h) {
-  if (scene_.device == RunDevice::cpu) return nullptr;
+  if (scene_.device == RunDevice::cpu || !body_.domain().whole()) return nullptr;
   const auto refusal = refusalOf(scene_, SceneUse::gpu);
   std::string reason = refusal ? refusal->what : whyNoDevice();
   if (reason.empty()) {
@@ -92,14 +99,12 @@ void RunScheme::prepare(const NodeVectors& x, double h) {
 
 void RunScheme::noteChoice() {
   if (!result_.handler) result_.handler.emplace();
-  result_.handler->elements = static_cast<std::int64_t>(handler_->elements().size());
+  result_.handler->elements = handler_->handledElements();
   result_.handler->certified = handler_->certified();
   ++result_.handler->selections;
   result_.handler->evaluations += handler_->selectionCost().evaluations;
 }
 
-std::int64_t RunScheme::treatedElements() const {
-  return handler_ ? static_cast<std::int64_t>(handler_->elements().size()) : stiffElements_;
-}
+std::int64_t RunScheme::treatedElements() const { return handler_ ? handler_->handledElements() : stiffElements_; }
 
 }  // namespace ringwatch

@@ -9,13 +9,16 @@
 
 namespace ringwatch {
 
+struct RunOfPart;
+
 /// How the states of a run's body advance: integrator, handler, the system that they work on, and what takes the steps.
 /// A body that was cut gets a scheme of its own. Adds its notes, and what its handler did, to the result of the run.
 class RunScheme {
  public:
   /// Prepares the handler, if the scene has one, at the reference positions for steps of h seconds (0: none is known
   /// yet). All of them must outlive the scheme. Throws InputError for a device that cannot be had.
-  RunScheme(const Scene& scene, Body& body, RunResult& result, double h);
+  /// part: where the body is one; its handler takes what that of the whole has chosen.
+  RunScheme(const Scene& scene, Body& body, RunResult& result, double h, RunOfPart* part = nullptr);
   /// The scheme of a body that was cut, at positions x (3×N, m), in steps of h seconds: the handler's choice is carried
   /// over from the scheme before, whose body may be gone.
   RunScheme(const Scene& scene, Body& body, RunResult& result, const NodeVectors& x, double h, const CutMesh& cut,

@@ -1,9 +1,11 @@
 #pragma once
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include <ringwatch/app/run/handled_watch.h>
+#include <ringwatch/app/run/run_monitor.h>
 #include <ringwatch/app/run/run_result.h>
 #include <ringwatch/app/scene/scene.h>
 #include <ringwatch/integrators/integrator.h>
@@ -14,8 +16,11 @@ namespace ringwatch {
 /// those that it handles. Reports name elements of the body. Adds its times and notes to the result of the run.
 class RunWatch {
  public:
-  /// All of them must outlive the watch; a cut may replace the body's contents between end() and begin().
-  RunWatch(const Scene& scene, const Body& body, StepRule rule, RunResult& result);
+  /// Makes a monitor of the explicit part of a part of a body; parts: of each step (Handler::partsOfStep).
+  using MakeMonitor = std::function<std::unique_ptr<RunMonitor>(const MonitorOptions&, int parts)>;
+  /// All of them must outlive the watch; a cut may replace the body's contents between end() and begin(). make: empty
+  /// where the body is the whole.
+  RunWatch(const Scene& scene, const Body& body, StepRule rule, RunResult& result, MakeMonitor make);
 
   /// Watches the body as it is from here on, or what a handler (nullptr: none) leaves explicit of it. metric: in place
   /// of the monitor's own evaluation, unless empty. everyState: the states come one by one; else they come at least
@@ -26,12 +31,17 @@ class RunWatch {
 
   /// Whether steps get a verdict: not without the scene's wish, nor when every element is handled and the handler does
   /// not prove its steps either.
-  bool monitors() const { return monitor_.has_value() || handlerProves_; }
+  bool monitors() const { return monitor_ || handlerProves_; }
   /// Whether observe() fills in an evaluation of the whole body in its own pass.
-  bool sharesPass() const { return monitor_ && !handler_; }
+  bool sharesPass() const { return monitor_ && (!handler_ || &handler_->explicitBody() == &body_); }
   /// Observes the state before step k of h seconds (empty while none is chosen). evaluation: as of
-  /// StabilityMonitor::observe; nullptr unless sharesPass().
-  MonitorReport observe(std::int64_t k, const State& state, std::optional<double> h, StepEvaluation* evaluation);
+  /// StabilityMonitor::observe; nullptr unless sharesPass(). meanwhile: as of RunMonitor.
+  MonitorReport observe(std::int64_t k, const State& state, std::optional<double> h, StepEvaluation* evaluation,
+                        const std::function<void()>& meanwhile);
+  /// Whether the state that was observed last is finite, of all parts of a body.
+  bool isFinite(const State& state) const;
+  /// Proves what it can of that state, for steps of h, and gives it to a report of it; false where it cannot.
+  bool prove(const State& state, double h, MonitorReport& report);
   /// Makes the next observation one of the very state, where every state is seen.
   void evaluateNext() {
     if (monitor_) monitor_->evaluateNext();
@@ -81,7 +91,8 @@ class RunWatch {
   Handler* handler_ = nullptr;
   bool everyState_ = true;
   bool monitored_ = false;  // a monitor has been made
-  std::optional<StabilityMonitor> monitor_;
+  MakeMonitor make_;
+  std::unique_ptr<RunMonitor> monitor_;
   bool handlerProves_ = false;  // every element is handled, and proven by the handler
   HandledWatch handledWatch_;
   MonitorReport lastReport_;  // where not every state is seen: of the last one that was

@@ -19,6 +19,7 @@
 #include <ringwatch/app/scene/scene_state.h>
 #include <ringwatch/base/atomic_file.h>
 #include <ringwatch/base/error.h>
+#include <ringwatch/body/domain.h>
 
 namespace ringwatch {
 namespace {
@@ -42,6 +43,12 @@ class Runner {
     if (run_.result.reason == ExitReason::interrupted)
       if (std::string note = checkpoints_.howToGoOn(); !note.empty()) run_.result.notes.push_back(std::move(note));
     orFail([this] { run_.finish(); });
+    // Of a fault of one of several processes; the events are known to the first one alone.
+    if (!run_.named()) {
+      if (run_.result.reason != ExitReason::failed || std::filesystem::exists(run_.options.folder / "summary.json"))
+        return std::move(run_.result);
+      run_.result.notes.emplace_back("the events are left out: the first rank alone knew of them");
+    }
     run_.result.files.emplace_back("summary.json");
     const std::filesystem::path file = run_.options.folder / "summary.json";
     try {
@@ -67,18 +74,20 @@ class Runner {
       if (!run_.output || (!run_.output->isOpen() && (!stepping_ || !dynamic_cast<const NumericalError*>(&fault))))
         throw;
       if (run_.result.reason != ExitReason::failed)
-        run_.end(ExitReason::failed, fmt::format("step {}: {}", run_.result.steps, faultText(fault)));
+        run_.end(ExitReason::failed, fmt::format("{}step {}: {}", run_.options.part ? run_.options.part->process : "",
+                                                 run_.result.steps, faultText(fault)));
     }
   }
 
   void begin() {
     {
       const Stopwatch output(run_.result.outputTime);
-      run_.output.emplace(run_.scene, run_.body, run_.rule, run_.options.folder);
+      run_.body.domain().together(
+          [this] { run_.output.emplace(run_.scene, run_.body, run_.rule, run_.options.folder, run_.options.part); });
       run_.output->probesBegin(run_.probes.heading());
     }
     if (run_.options.resume) return checkpoints_.resume(*run_.options.resume);
-    run_.state = sceneInitialState(run_.scene, run_.scheme->system());
+    run_.state = run_.options.part ? run_.options.part->begin : sceneInitialState(run_.scene, run_.scheme->system());
     run_.loads.begin(run_.state.x);
   }
 
@@ -102,7 +111,7 @@ class Runner {
       if (run_.options.checkpoint && run_.options.checkpoint->exchange(false)) {
         const bool wentBack = repeats_.returnToCertified();
         checkpoints_.writeAsItIs();
-        progress_.tell(checkpoints_.whatCame(), !checkpoints_.isOfNow());
+        if (run_.named()) progress_.tell(checkpoints_.whatCame(), !checkpoints_.isOfNow());
         if (wentBack) continue;
       }
       cuts_.makeThoseDue();
@@ -126,10 +135,14 @@ class Runner {
 
   nlohmann::ordered_json summary() {
     run_.total.lap();
-    nlohmann::ordered_json json = summaryJson(run_.scene, run_.body, run_.result);
+    const Body& body = run_.named() ? *run_.named() : run_.body;
+    nlohmann::ordered_json json = summaryJson(run_.scene, body, run_.result);
     json["provenance"] = run_.options.provenance;
     if (run_.options.provenance.is_object())
-      json["provenance"]["mesh_hash"] = fmt::format("{:016x}", hashOf(run_.body.mesh()));
+      json["provenance"]["mesh_hash"] = fmt::format("{:016x}", hashOf(body.mesh()));
+    if (!run_.named())
+      for (const char* key : {"mesh", "mass", "body", "materials", "provenance"})
+        json[key] = run_.options.part->ofWhole[key];
     return json;
   }
 
@@ -154,20 +167,32 @@ class Runner {
         [&]() -> std::string {
           if (!report.bracket) return run_.scene.proves() ? "" : "the monitor's metric";
           if (report.bracket->discreteShare > 0.5) return "a spring or contact, with its damping and friction,";
-          return elementText(run_.body.mesh(), report.bracket->controlling);
+          return elementText(run_.named()->mesh(), report.bracket->controlling);
         });
     if (!told.empty()) progress_.tell(told, false);
   }
 
   void showProgress(const MonitorReport& report) {
-    if (!progress_.due()) return;
+    const bool onTerminal = progress_.due();
+    if (!onTerminal && !logIsDue()) return;
     const double time = run_.state.time, end = run_.scene.end, h = run_.steps.step();
-    progress_.show(fmt::format("step {} of about {:.0f}, t = {:.4g} of {:.4g} s, h = {:.4g} s{}{}, {} left",
-                               report.step, static_cast<double>(report.step) + (end - time) / h, time, end, h,
-                               report.bracket ? fmt::format(", safe {:.4g} s", report.bracket->safe) : "",
-                               run_.watch.monitors() ? fmt::format(", {}", verdictName(report.verdict)) : "",
-                               RunForecast::durationText(forecast_.left())),
-                   0);
+    const std::string text = fmt::format("step {} of about {:.0f}, t = {:.4g} of {:.4g} s, h = {:.4g} s{}{}, {} left",
+                                         report.step, static_cast<double>(report.step) + (end - time) / h, time, end, h,
+                                         report.bracket ? fmt::format(", safe {:.4g} s", report.bracket->safe) : "",
+                                         run_.watch.monitors() ? fmt::format(", {}", verdictName(report.verdict)) : "",
+                                         RunForecast::durationText(forecast_.left()));
+    if (onTerminal)
+      progress_.show(text, 0);
+    else
+      progress_.tell(text, false);
+  }
+
+  /// Launchers of several processes hand on standard error through a pipe, so that no terminal shows the progress.
+  bool logIsDue() {
+    const auto now = std::chrono::steady_clock::now();
+    if (!run_.options.part || !run_.options.progress || now - logged_ < std::chrono::seconds(30)) return false;
+    logged_ = now;
+    return true;
   }
 
   Simulation run_;
@@ -178,6 +203,7 @@ class Runner {
   ProgressLine progress_;
   RunForecast forecast_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::chrono::steady_clock::time_point logged_ = start_;
   std::int64_t stepsAtStart_ = 0;
   bool stepping_ = false;
 };

@@ -1,18 +1,39 @@
 #pragma once
 #include <atomic>
 #include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
 #include <ringwatch/app/run/run_result.h>
+#include <ringwatch/app/run/run_watch.h>
+#include <ringwatch/app/run/timed_loads.h>
 #include <ringwatch/app/scene/scene.h>
 
 namespace ringwatch {
 
 struct Checkpoint;
+class FramePieces;
 class RunListener;
+
+/// What a run takes from elsewhere whose body is a part of a larger one (body/domain.h).
+struct RunOfPart {
+  std::string process;                 // its name, for a fault of its own
+  Body* whole = nullptr;               // on the first process, which names elements by it
+  nlohmann::ordered_json ofWhole;      // summaryJson() of it before the run
+  double roundingEnergy = 0;           // J, of the whole
+  State begin;                         // the state in which a run begins that is not resumed
+  std::optional<TimedLoads> loads;     // of the part
+  std::unique_ptr<Handler> handler;    // of the whole, which has chosen; nullptr without one
+  const Body* explicitPart = nullptr;  // the part of its explicit elements, as of Handler::prepareAsPart()
+  FramePieces* pieces = nullptr;       // of the frames
+  RunWatch::MakeMonitor monitor;       // of what is explicit
+  std::function<RunResult::Traffic(std::int64_t steps)> sent;  // by a run of so many steps; collective
+};
 
 struct RunOptions {
   std::filesystem::path folder;                  // made when it does not exist
@@ -23,6 +44,7 @@ struct RunOptions {
   const Checkpoint* resume = nullptr;            // the run goes on from there, in the folder of the checkpoint
   nlohmann::ordered_json provenance = nullptr;   // for the summary: where the run comes from
   RunListener* listener = nullptr;               // told of the run before each of its steps
+  RunOfPart* part = nullptr;                     // where the body is one
 };
 
 /// Runs a scene on its body, to which a handler may add mass and which cuts replace: before each step the monitor

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -11,7 +12,9 @@
 #include <ringwatch/app/scene/scene_discrete.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/body/discrete_forces.h>
+#include <ringwatch/body/domain.h>
 #include <ringwatch/handlers/angular_momentum.h>
+#include <ringwatch/meshes/all_finite.h>
 
 namespace ringwatch {
 namespace {
@@ -30,11 +33,11 @@ Simulation::Simulation(const Scene& s, Body& b, const RunOptions& o)
       body(b),
       options(o),
       rule(sceneStepRule(s, b)),
-      energies(s, b),
+      energies(s, b, o.part ? o.part->roundingEnergy : roundingEnergy(b)),
       steps(s),
-      loads(s, b),
+      loads(o.part ? std::move(*o.part->loads) : TimedLoads(s, b)),
       recorder(s, result),
-      watch(s, b, rule, result),
+      watch(s, b, rule, result, o.part ? o.part->monitor : nullptr),
       probes(s, b, rule) {
   result.probes = probes.columns();
   result.notes = options.notes;
@@ -43,14 +46,14 @@ Simulation::Simulation(const Scene& s, Body& b, const RunOptions& o)
   if (body.discreteForces()) result.discrete = RunResult::Discrete{};
   if (scene.onViolation == OnViolation::repeat) result.repeats = RunResult::Repeats{};
   for (std::string& note : notesOfBracket(scene, body)) result.notes.push_back(std::move(note));
-  recorder.follow(body.mesh());
+  if (named()) recorder.follow(named()->mesh());
   if (!scene.handler.empty() && !scene.step) {
     const double wanted =
         scene.handlerStep ? *scene.handlerStep : scene.handlerFactor * criticalStep(body, body.mesh().X, rule).safe;
     steps.beginWith(std::min(wanted, scene.end));
   }
   preparedFor_ = steps.step();
-  scheme = std::make_unique<RunScheme>(scene, body, result, preparedFor_);
+  scheme = std::make_unique<RunScheme>(scene, body, result, preparedFor_, options.part);
   beginWatch();
 }
 
@@ -76,7 +79,7 @@ bool Simulation::handleAgain() {
   // Mass that is added comes with the velocity of its node. It must not push a body that nothing holds.
   if (mass != body.lumpedMass()) {
     if (!body.constraints().any()) keepMomenta(body, mass, state.x, state.v);
-    energies.addExternalWork(kineticEnergy(body, state.v) - before);
+    energies.balance().addWork(0, kineticEnergy(body, state.v) - before);
   }
   state.a.resize(3, 0);
   beginWatch();
@@ -112,7 +115,7 @@ std::optional<CriticalStep> Simulation::criticalStepHere() const {
 MonitorReport Simulation::handleMore(MonitorReport report, bool rowDue) {
   if (!scheme->handler() || !watch.monitors() || scene.onViolation != OnViolation::handle || !report.fresh ||
       (report.verdict == Verdict::certified && !scheme->handler()->asksForChoice()) || !(steps.step() > 0) ||
-      !state.x.allFinite())
+      !watch.isFinite(state))
     return report;
   {
     const Stopwatch measured(result.monitorTime);
@@ -131,7 +134,8 @@ MonitorReport Simulation::observeOnce(std::int64_t k, bool rowDue) {
   lookAhead();
   if (!shared) evaluate();
   // With "auto" the first step is chosen from the first bracket.
-  MonitorReport report = watch.observe(k, state, steps.asked(), shared ? &evaluation_ : nullptr);
+  MonitorReport report =
+      watch.observe(k, state, steps.asked(), shared ? &evaluation_ : nullptr, [this] { takeForce(); });
   takeEvaluation(rowDue);
   watch.complete(report, state, energies.checked());
   return report;
@@ -156,7 +160,7 @@ void Simulation::recordEnergies() {
 void Simulation::askFor(bool rowDue, bool probesDue) {
   stepperNeedsForce_ = scheme->stepper().needsForce(state);
   evaluation_.wantsForce = stepperNeedsForce_ || energies.needsForce(rowDue) || probesDue;
-  evaluation_.wantsEnergy = scene.energy && rowDue;
+  evaluation_.wantsEnergy = scene.energy && rowDue && body.domain().whole();  // else the balance sums it up
   evaluation_.velocities = body.elementDamping() ? &state.v : nullptr;
   dampsAtState_ = evaluation_.wantsForce && evaluation_.velocities && state.lag == 0;
 }
@@ -164,12 +168,18 @@ void Simulation::askFor(bool rowDue, bool probesDue) {
 void Simulation::evaluate() {
   if (!evaluation_.wantsForce && !evaluation_.wantsEnergy) return;
   const Stopwatch force(result.forceTime);
+  body.domain().finish();
   body.evaluate(state.x, evaluation_, workspace_);
 }
 
-void Simulation::takeEvaluation(bool rowDue) {
+void Simulation::takeForce() {
   const Stopwatch force(result.forceTime);
-  if (stepperNeedsForce_) scheme->stepper().takeForce(state, evaluation_);
+  if (std::exchange(stepperNeedsForce_, false)) scheme->stepper().takeForce(state, evaluation_);
+}
+
+void Simulation::takeEvaluation(bool rowDue) {
+  takeForce();
+  const Stopwatch force(result.forceTime);
   if (const Handler* handler = scheme->handler(); handler && scene.energy && rowDue)
     energies.setDissipatedByHandler(handler->dissipated());
   energies.record(state, evaluation_, scheme->system(), rowDue,
@@ -177,12 +187,12 @@ void Simulation::takeEvaluation(bool rowDue) {
 }
 
 void Simulation::setLoads() {
-  if (loads.any()) energies.addExternalWork(loads.setForces(state.time, state.x));
+  if (loads.any()) loads.setForces(state.time, state.x, energies.balance());
 }
 
 bool Simulation::acceptState(const MonitorReport& report) {
   if (result.reason != ExitReason::end) return false;
-  const bool finite = isFinite(state, body.threads());
+  const bool finite = watch.isFinite(state);
   if (!finite)
     end(ExitReason::nonFinite, fmt::format("positions or velocities are not finite after step {}", report.step));
   return finite;
@@ -198,13 +208,32 @@ bool Simulation::stopsAt(const MonitorReport& report) const {
          (scene.onViolation == OnViolation::stop || scene.onViolation == OnViolation::handle);
 }
 
+bool Simulation::isFinite() const {
+  const Eigen::Index owned = body.domain().owned(state.x.cols());
+  const auto finite = [&](const NodeVectors& all) {
+    return allFinite(NodeVectorsView(all.data(), owned), body.threads());
+  };
+  double isNot = finite(state.x) && finite(state.v) ? 0 : 1;
+  body.domain().largest({&isNot, 1});
+  return isNot == 0;
+}
+
 bool Simulation::chooseStep(MonitorReport& report) {
-  const std::string fault = steps.choose(report, state.time, [this](MonitorReport& fresh) {
-    const Stopwatch measured(result.monitorTime);
-    fresh.bracket = criticalStepHere();
-    fresh.fresh = true;
-    fresh.elementsRefreshed = static_cast<std::int64_t>(body.mesh().elementCount());
-  });
+  std::string fault;
+  const auto choose = [&] {
+    fault = steps.choose(report, state.time, [this](MonitorReport& fresh) {
+      const Stopwatch measured(result.monitorTime);
+      fresh.fresh = true;
+      if (watch.prove(state, steps.step(), fresh)) return;
+      fresh.bracket = criticalStepHere();
+      fresh.elementsRefreshed = static_cast<std::int64_t>(body.mesh().elementCount());
+    });
+  };
+  // The first step of "auto" may be out of all proportion to the end, which one process tells for all.
+  if (steps.step() > 0)
+    choose();
+  else
+    body.domain().together(choose);
   if (!fault.empty()) {
     end(ExitReason::stepCollapsed, fault);
     return false;
@@ -228,10 +257,10 @@ bool Simulation::chooseStep(MonitorReport& report) {
 
 void Simulation::record(const MonitorReport& report, bool rowDue) {
   const Stopwatch measured(result.outputTime);
-  output->open();
-  recorder.record(report, body.mesh());
+  if (!output->isOpen()) body.domain().together([this] { output->open(); });
+  if (named()) recorder.record(report, named()->mesh());
   recorder.recordDiscrete(report, body, state.x);
-  recorder.recordReasons(report, body, state, rule);
+  if (body.domain().whole()) recorder.recordReasons(report, body, state, rule);
   output->certificates().record(report, state, result.worst == Verdict::violated);
   if (rowDue) {
     HistoryRow row;
@@ -240,7 +269,10 @@ void Simulation::record(const MonitorReport& report, bool rowDue) {
     row.h = report.h;
     row.bracket = report.bracket;
     row.energies = energies.last();
-    row.elementsRefreshed = watch.monitors() && report.fresh ? report.elementsRefreshed : 0;
+    ExactSum refreshed;  // small whole numbers
+    if (watch.monitors() && report.fresh) refreshed.add(static_cast<double>(report.elementsRefreshed));
+    body.domain().sum({&refreshed, 1});
+    row.elementsRefreshed = static_cast<std::int64_t>(refreshed.value());
     row.handledElements = scheme->treatedElements();
     row.erodedElements = static_cast<std::int64_t>(result.eroded.size());
     row.repeats = result.repeats ? result.repeats->count : 0;
@@ -250,12 +282,16 @@ void Simulation::record(const MonitorReport& report, bool rowDue) {
   }
   if (probes.due(report.step))
     output->writeProbes(probes.row(report.step, state, report.h, evaluation_.internalForce, scheme->system()));
-  if (output->frameDue(state.time, scene.exactTimes ? sameTime * report.h : report.h))
+  if (output->frameDue(state.time, scene.exactTimes ? sameTime * report.h : report.h)) {
+    body.domain().exchange(state.v);
     output->writeFrame(report.step, state, frameOf(report));
+  }
 }
 
-void Simulation::writeFramesBetween(const State& begin, const MonitorReport& report) {
+void Simulation::writeFramesBetween(State& begin, const MonitorReport& report) {
   const Stopwatch measured(result.outputTime);
+  body.domain().finish();
+  body.domain().exchange(begin.v);
   const double h = state.time - begin.time;
   FrameState frame = frameOf(report);
   while (output->nextFrame() < state.time - sameTime * h) {
@@ -284,7 +320,7 @@ FrameState Simulation::frameOf(const MonitorReport& report) const {
 
 bool Simulation::takeStep(const MonitorReport& report) {
   const Stopwatch force(result.forceTime);
-  if (loads.any()) energies.addExternalWork(loads.setVelocities(state, steps.step()));
+  if (loads.any()) loads.setVelocities(state, steps.step(), energies.balance());
   const bool between = scene.exactTimes && output->nextFrame() < state.time + steps.step() * (1 - sameTime);
   State begin;
   if (between) begin = state;
@@ -315,6 +351,10 @@ MonitorReport Simulation::observe(std::int64_t k, bool rowDue) {
   return handleMore(observeOnce(k, rowDue), rowDue);
 }
 
+void Simulation::recordEvents(const MonitorReport& report) {
+  if (named()) recorder.recordEvents(report, named()->mesh());
+}
+
 void Simulation::end(ExitReason reason, std::string text) {
   result.reason = reason;
   result.reasonText = std::move(text);
@@ -325,7 +365,7 @@ void Simulation::finish() {
   if (whole) scheme->stepper().complete(state);
   result.time = state.time;
   result.x = state.x;
-  const bool finite = isFinite(state, body.threads());
+  const bool finite = whole && isFinite();
   if (result.reason == ExitReason::end && !finite)
     end(ExitReason::nonFinite, fmt::format("positions or velocities are not finite after step {}", result.steps));
   // Nothing is known of the last state but what was known of the step that led to it.
@@ -334,13 +374,15 @@ void Simulation::finish() {
   report.certified = std::numeric_limits<double>::quiet_NaN();
   const FrameState last = whole ? frameOf(report) : FrameState();
   watch.end();
-  recorder.noteWhatIsNotCertified(body.mesh());
+  if (named()) recorder.noteWhatIsNotCertified(named()->mesh());
   if (whole) {
     if (result.discrete && result.discrete->governed > 0 && !scene.contacts.empty())
       result.discrete->room = penaltyRoom(scene, body, result.largestStep);
     if (const Handler* handler = scheme->handler())
       result.handler->figures = scheme->stepper().figures(handler->figures());
     if (std::string note = scheme->stepper().note(); !note.empty()) result.notes.push_back(std::move(note));
+    if (options.part) result.traffic = options.part->sent(result.steps);
+    if (scene.frameInterval) body.domain().exchange(state.v);
   }
   result.runaway = energies.runaway();
   const Stopwatch measured(result.outputTime);

@@ -41,7 +41,7 @@ class Simulation {
   /// Writes what is due before a step: events, history, frame, certificates.
   void record(const MonitorReport& report, bool rowDue);
   /// The events of a report alone, where no step is taken.
-  void recordEvents(const MonitorReport& report) { recorder.recordEvents(report, body.mesh()); }
+  void recordEvents(const MonitorReport& report);
   /// Takes steps from the state, one or as many as are not to be observed. False when the first failed, which ends the
   /// run.
   bool takeStep(const MonitorReport& report);
@@ -49,6 +49,10 @@ class Simulation {
   /// missing: its state stays as it is.
   void finish();
 
+  /// The body that elements are named by and that the summary is of; nullptr where another process has it.
+  Body* named() const { return options.part ? options.part->whole : &body; }
+  /// Whether the state is finite, of all parts of a body. Collective.
+  bool isFinite() const;
   /// The run ends here; text is one line.
   void end(ExitReason reason, std::string text);
   /// Watches the body, or what its handler leaves explicit, from here on.
@@ -87,13 +91,14 @@ class Simulation {
   /// The handler chooses for the step at the state. False where it cannot, which ends the run.
   bool handleAgain();
   void askFor(bool rowDue, bool probesDue);
+  void takeForce();
   void lookAhead();
   void evaluate();
   void takeEvaluation(bool rowDue);
   std::int64_t stepsToObservation(std::int64_t k);
   FrameState frameOf(const MonitorReport& report) const;
   /// The frames whose times lie within the step that was taken from a state, where the scene wants them there.
-  void writeFramesBetween(const State& begin, const MonitorReport& report);
+  void writeFramesBetween(State& begin, const MonitorReport& report);
 
   StepEvaluation evaluation_;
   Body::Workspace workspace_;

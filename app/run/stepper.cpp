@@ -1,5 +1,6 @@
 #include <ringwatch/app/run/stepper.h>
 
+#include <ringwatch/body/domain.h>
 #include <ringwatch/integrators/partitioned_body_system.h>
 
 namespace ringwatch {
@@ -16,9 +17,14 @@ class IntegratorStepper final : public Stepper {
   }
   bool keepsNothing() const override { return true; }
   void takeForce(State& state, const StepEvaluation& evaluation) override { system_.complete(state, evaluation); }
-  void complete(State& state) override { ringwatch::complete(system_, state); }
+  void complete(State& state) override {
+    system_.body().domain().finish();
+    ringwatch::complete(system_, state);
+  }
   Taken step(State& state, double h, std::int64_t /*count*/, double /*lambda*/) override {
-    return takenOf(integrator_.advance(system_, state, h));
+    const StepStatus status = integrator_.advance(system_, state, h);
+    system_.body().domain().begin(state.x);
+    return takenOf(status);
   }
 
  private:

@@ -5,6 +5,7 @@
 
 #include <ringwatch/app/scene/scene_discrete.h>
 #include <ringwatch/body/discrete_forces.h>
+#include <ringwatch/body/domain.h>
 
 namespace ringwatch {
 
@@ -61,7 +62,11 @@ TimedLoads::TimedLoads(const TimedLoads& whole, Body& part, std::span<const std:
 }
 
 double TimedLoads::energyScale(double h) const {
-  double energy = 0;
+  const Eigen::Index owned = body_.domain().owned(body_.nodeCount());
+  ExactSum sum;
+  const auto add = [&](std::int32_t node, double energy) {
+    if (node < owned) sum.add(energy);
+  };
   std::vector<double> pressing(pressures_.empty() ? 0 : nodes_.size(), 0.0);  // N, at rest
   for (const Pressure& pressure : pressures_) {
     const double most = pressure.load->pressure * (pressure.load->table ? pressure.load->table->largest() : 1);
@@ -69,19 +74,6 @@ double TimedLoads::energyScale(double h) const {
       addPressure(face, most, body_.mesh().X,
                   [&](std::int32_t node, const Eigen::Vector3d& force) { pressing[placeOf_[node]] += force.norm(); });
   }
-  addEnergyScale(h, pressing, [&](std::int32_t, double of) { energy += of; });
-  if (const DiscreteForces* discrete = body_.discreteForces(); discrete && scene_.movesObstacles())
-    for (const PenaltyContact& contact : discrete->contacts()) {
-      const Scene::MovingObstacle& obstacle = scene_.obstacles[contact.obstacle];
-      const double speed = (obstacle.table ? obstacle.table->largest() : 1) * obstacle.velocity.norm();
-      for (const std::int32_t node : contact.nodes) energy += 0.5 * body_.lumpedMass()[node] * speed * speed;
-    }
-  return energy;
-}
-
-void TimedLoads::energyScale(double h, const AddAtNode& add) const { addEnergyScale(h, {}, add); }
-
-void TimedLoads::addEnergyScale(double h, const std::vector<double>& pressing, const AddAtNode& add) const {
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     double force = constant_[i].norm();
     for (const Force& timed : forces_) force += timed.table->largest() * timed.values[i].norm();
@@ -98,6 +90,14 @@ void TimedLoads::addEnergyScale(double h, const std::vector<double>& pressing, c
       add(node, 0.5 * body_.lumpedMass()[node] * speed * speed);
     }
   }
+  if (const DiscreteForces* discrete = body_.discreteForces(); discrete && scene_.movesObstacles())
+    for (const PenaltyContact& contact : discrete->contacts()) {
+      const Scene::MovingObstacle& obstacle = scene_.obstacles[contact.obstacle];
+      const double speed = (obstacle.table ? obstacle.table->largest() : 1) * obstacle.velocity.norm();
+      for (const std::int32_t node : contact.nodes) add(node, 0.5 * body_.lumpedMass()[node] * speed * speed);
+    }
+  body_.domain().sum({&sum, 1});
+  return sum.value();
 }
 
 void TimedLoads::begin(const NodeVectors& x) {
@@ -106,16 +106,7 @@ void TimedLoads::begin(const NodeVectors& x) {
   last_ = first_;
 }
 
-double TimedLoads::setForces(double time, const NodeVectors& x) {
-  double gain = 0;
-  followForces(time, x, [&](std::int32_t, double energy) { gain += energy; });
-  return gain;
-}
-
-void TimedLoads::setForces(double time, const NodeVectors& x, const AddAtNode& add) { followForces(time, x, add); }
-
-template <class Add>
-void TimedLoads::followForces(double time, const NodeVectors& x, const Add& add) {
+void TimedLoads::setForces(double time, const NodeVectors& x, EnergyBalance& balance) {
   if (scene_.movesObstacles()) placeObstacles(scene_, time, *body_.discreteForces());
   // Of the pressures, which follow the faces.
   std::vector<Eigen::Vector3d> pressing(pressures_.empty() ? 0 : nodes_.size(), Eigen::Vector3d::Zero());
@@ -134,25 +125,16 @@ void TimedLoads::followForces(double time, const NodeVectors& x, const Add& add)
     const Eigen::Vector3d place = x.col(node);
     const Eigen::Vector3d change = force - now, middle = 0.5 * (last_[i] + place) - first_[i];
     for (int c = 0; c < 3; ++c)
-      if (!body_.constraints().isConstrained(node, c)) add(node, -(change[c] * middle[c]));
+      if (!body_.constraints().isConstrained(node, c)) balance.addWork(node, -(change[c] * middle[c]));
     now = force;
     last_[i] = place;
   }
 }
 
-double TimedLoads::setVelocities(State& state, double h) {
-  double given = 0;
-  followVelocities(state, h, [&](std::int32_t, double energy) { given += energy; });
-  return given;
-}
-
-void TimedLoads::setVelocities(State& state, double h, const AddAtNode& add) { followVelocities(state, h, add); }
-
-template <class Add>
-void TimedLoads::followVelocities(State& state, double h, const Add& add) {
+void TimedLoads::setVelocities(State& state, double h, EnergyBalance& balance) {
   for (const Motion& motion : motions_) {
     if (motion.guided) {
-      guide(motion, state, h, add);
+      guide(motion, state, h, balance);
       continue;
     }
     for (const std::int32_t node : motion.nodes) {
@@ -160,7 +142,7 @@ void TimedLoads::followVelocities(State& state, double h, const Add& add) {
       for (int c = 0; c < 3; ++c) {
         if (!motion.move->components[c]) continue;
         double& v = state.v(c, node);
-        add(node, 0.5 * body_.lumpedMass()[node] * (velocity[c] - v) * (velocity[c] + v));
+        balance.addWork(node, 0.5 * body_.lumpedMass()[node] * (velocity[c] - v) * (velocity[c] + v));
         v = velocity[c];
         body_.constraints().move(node, c, velocity[c]);
       }
@@ -168,8 +150,7 @@ void TimedLoads::followVelocities(State& state, double h, const Add& add) {
   }
 }
 
-template <class Add>
-void TimedLoads::guide(const Motion& motion, State& state, double h, const Add& add) {
+void TimedLoads::guide(const Motion& motion, State& state, double h, EnergyBalance& balance) {
   const Scene::Move& move = *motion.move;
   const RigidBody& rigid = body_.constraints().rigidBody(move.guide->body);
   body_.constraints().guide(move.guide->body, move.meanVelocity(move.point, state.time, h),
@@ -180,7 +161,7 @@ void TimedLoads::guide(const Motion& motion, State& state, double h, const Add& 
   for (std::size_t k = 0; k < before.size(); ++k) {
     const std::int32_t node = rigid.nodes()[k];
     const Eigen::Vector3d now = state.v.col(node);
-    add(node, 0.5 * body_.lumpedMass()[node] * (now - before[k]).dot(now + before[k]));
+    balance.addWork(node, 0.5 * body_.lumpedMass()[node] * (now - before[k]).dot(now + before[k]));
   }
 }
 

@@ -1,12 +1,12 @@
 #pragma once
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
 #include <ringwatch/app/scene/scene.h>
 #include <ringwatch/app/scene/scene_pressure.h>
 #include <ringwatch/integrators/integrator.h>
+#include <ringwatch/monitor/energy_balance.h>
 
 namespace ringwatch {
 
@@ -15,8 +15,6 @@ namespace ringwatch {
 /// step to come, so that positions at the ends of steps are exact.
 class TimedLoads {
  public:
-  using AddAtNode = std::function<void(std::int32_t node, double energy)>;
-
   /// The body of the scene, with its constant loads. Both must outlive this.
   TimedLoads(const Scene& scene, Body& body);
   /// Those of a part of that body, whose nodes have these numbers in the whole; without pressures and obstacles. The
@@ -26,23 +24,17 @@ class TimedLoads {
   bool any() const { return !forces_.empty() || !motions_.empty() || !pressures_.empty() || scene_.movesObstacles(); }
   /// Kinetic energy, J, that the forces at their largest give the loaded nodes in a step of h seconds, and that of the
   /// moved nodes at their largest velocity: where a load begins with nothing, energies below that are no measure of a
-  /// balance whose work is summed from state to state.
+  /// balance whose work is summed from state to state. Collective (body/domain.h).
   double energyScale(double h) const;
-  /// The terms of that sum, but for pressures and obstacles, to `add(node, energy)`.
-  void energyScale(double h, const AddAtNode& add) const;
   /// The work of the forces counts from a state on.
   void begin(const NodeVectors& x);
   /// Puts obstacles where they are at a time (s), and sets the body's forces to those of that time at positions x (3×N,
-  /// m). Returns what the work of the forces, by the trapezoidal rule from state to state, has gained on `force now ·
-  /// displacement since begin()`, J: the work that an EnergyBalance knows.
-  double setForces(double time, const NodeVectors& x);
-  /// The same, with the terms of the gain to `add(node, energy)`.
-  void setForces(double time, const NodeVectors& x, const AddAtNode& add);
-  /// Sets the prescribed velocities, of body and state, for the step from its time of h seconds. Returns the kinetic
-  /// energy that the supports give, J.
-  double setVelocities(State& state, double h);
-  /// The same, with the terms of that energy to `add(node, energy)`.
-  void setVelocities(State& state, double h, const AddAtNode& add);
+  /// m). Adds to the balance what the work of the forces, by the trapezoidal rule from state to state, has gained on
+  /// `force now · displacement since begin()`: the work that it knows.
+  void setForces(double time, const NodeVectors& x, EnergyBalance& balance);
+  /// Sets the prescribed velocities, of body and state, for the step from its time of h seconds. Adds the kinetic
+  /// energy that the supports give to the balance.
+  void setVelocities(State& state, double h, EnergyBalance& balance);
 
   template <class Archive>
   void archive(Archive& a) {
@@ -50,13 +42,6 @@ class TimedLoads {
   }
 
  private:
-  /// pressing: N, by pressures at rest, of the nodes of `nodes_`; empty without.
-  void addEnergyScale(double h, const std::vector<double>& pressing, const AddAtNode& add) const;
-  template <class Add>
-  void followForces(double time, const NodeVectors& x, const Add& add);
-  template <class Add>
-  void followVelocities(State& state, double h, const Add& add);
-
   struct Force {
     std::vector<Eigen::Vector3d> values;  // N, at the nodes of `nodes_` with the same place; zero elsewhere
     const TimeTable* table;
@@ -70,8 +55,7 @@ class TimedLoads {
     const Scene::Move* move;
     bool guided;  // of a rigid body with some freedom
   };
-  template <class Add>
-  void guide(const Motion& motion, State& state, double h, const Add& add);
+  void guide(const Motion& motion, State& state, double h, EnergyBalance& balance);
 
   const Scene& scene_;
   Body& body_;

@@ -146,17 +146,13 @@ constexpr Conflict conflicts[] = {
     {{F::repeat}, {F::checkpoints}, "a checkpoint would hold a state that is taken back"},
 };
 
-bool hasOneForceFromAcceleration(const IntegratorInfo& info) {
-  return info.forceEvaluations == 1 && !info.partitioned &&
-         integratorCatalog().make(std::string(info.name))->beginsWithAcceleration();
-}
 constexpr std::string_view runDoes = "ringwatch run does";
 constexpr SceneUseInfo uses[] = {
     {U::gpu, "a GPU", "set integrator.device = \"cpu\"", [](const IntegratorInfo& info) { return info.runsOnGpu; },
      "its steps are not there", [](const HandlerInfo& info) { return info.forGpu != nullptr; },
      "its steps are not there"},
-    {U::ranks, "a run on ranks", "run the scene with one process, without mpirun", hasOneForceFromAcceleration,
-     "ranks exchange one acceleration a step",
+    {U::ranks, "a run on ranks", "run the scene with one process, without mpirun", isExplicit,
+     "ranks share the forces of explicit steps",
      [](const HandlerInfo& info) {
        return info.name == Imex::description.name || info.name == MassScaling::description.name;
      },
@@ -178,14 +174,12 @@ constexpr Limit limits[] = {
     {{U::gpu}, {F::timed, F::cuts, F::erosion, F::exactTimes, F::savedStates}, "it takes several steps at a time"},
     {{U::gpu}, {F::handlerAuto}, "it handles elements in steps of one size"},
     {{U::gpu}, {F::handlerDevices}, "the elements that are handled are on one"},
-    {{U::ranks},
-     forces | F::stiffnessDamping | F::pressure | F::cuts | F::erosion,
-     "ranks share the forces of undamped elements that stay"},
+    {{U::ranks}, forces | F::pressure | F::cuts | F::erosion, "ranks share the forces of undamped elements that stay"},
     {{U::ranks},
      {F::handlerAuto, F::handlerSolver, F::handlerDamping, F::handlerHandle, F::handlerHalves},
      "ranks choose elements once, for one step"},
     {{U::ranks},
-     watching | F::noBracket | F::metric | F::budget | F::certificates | F::repeat | F::fields,
+     {F::probes, F::reactions, F::noBracket, F::metric, F::budget, F::certificates, F::repeat, F::fields},
      "ranks watch by the bracket, and write history, frames and checkpoints"},
     {{U::compare, U::advise}, forces, "it tries ways to step undamped elements alone"},
     {{U::compare, U::advise}, {F::timed, F::erosion}, ways},

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/body/domain.h>
 #include <ringwatch/handlers/angular_momentum.h>
 #include <ringwatch/handlers/imex/solve_clusters.h>
 #include <ringwatch/materials/linear_elastic.h>
@@ -71,16 +72,22 @@ class Imex::Corrected final : public SecondOrderSystem {
     } else {
       owner_.explicitAcceleration(x, a);
       if (owner_.nonlinear_)
-        owner_.work().begin(x, a);
+        for (HandledWork& work : owner_.works()) work.begin(x, a);
       else
         owner_.work().beginAndAdd(x, a);
     }
     const auto solveAll = [&](auto& clusters, const auto& solve) {
       const auto failed =
           solveClusters(owner_.body_, clusters, owner_.freeOfTorque_, x, v, h_, a, owner_.reasons_, solve);
-      if (!failed || !fault.empty()) return;
-      const auto& elements = clusters[failed->cluster].elements();
-      fault = failed->text(elements.size(), elements.front());
+      std::optional<ElementRef> at;
+      std::string text;
+      Domain& domain = owner_.body_.domain();
+      if (failed) {
+        const auto& elements = clusters[failed->cluster].elements();
+        at = elements.front();
+        text = failed->text(elements.size(), domain.inWhole(*at));
+      }
+      if (domain.firstFound(at, text) && fault.empty()) fault = std::move(text);
     };
     if (owner_.nonlinear_)
       solveAll(owner_.newtonClusters_, [&](std::size_t k) { return owner_.newtonClusters_[k].solveOrTell(x, a, v); });
@@ -90,7 +97,7 @@ class Imex::Corrected final : public SecondOrderSystem {
         if (!cluster.follow(x)) return "the implicit matrix is not positive definite or not finite";
         return cluster.solve(a, v, c_) ? "" : "conjugate gradients did not converge";
       });
-    owner_.work().end(v, a);
+    for (HandledWork& work : owner_.works()) work.end(v, a);
   }
   int threads() const override { return owner_.body_.threads(); }
   bool velocityDependent() const override { return c_ != 0 || inner_.velocityDependent(); }
@@ -137,9 +144,15 @@ void Imex::takeOwn(const NodeVectors& x, double h, const ElementFlags& chosen) {
   detach(chosen);
 }
 
-std::optional<NewtonSettings> Imex::newtonSettings(double h) const {
-  if (!nonlinear_) return std::nullopt;
-  return NewtonSettings{schemeOf(h), cluster_.tolerance, cluster_.iterations, keepsMomentum_};
+std::string Imex::whyNotInParts() const {
+  if (!nonlinear_)
+    return "handler.method: \"imex\" is distributed over ranks with nonlinear equations alone, and for these laws it "
+           "takes linear ones; set handler.solver = \"newton\"";
+  if (explicitBody().mesh().elementCount() == 0)
+    return "integrator.step: the handler takes every element, which is not distributed over ranks; take a smaller "
+           "step, "
+           "or run the scene with one process, without mpirun";
+  return {};
 }
 
 StepStatus Imex::ownStep(SecondOrderSystem& system, State& state, double h) {
@@ -162,6 +175,7 @@ std::vector<HandlerFigure> Imex::figuresOfClusters() const {
   if (nonlinear_) {
     NewtonCounts counts = countsBefore_;
     for (const NewtonCluster& cluster : newtonClusters_) counts.add(cluster);
+    counts.addOthers(body_.domain());
     return counts.figures();
   }
   std::size_t largest = 0;

@@ -60,8 +60,7 @@ class Imex final : public EnergyLimitedHandler {
   Imex(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options);
   std::vector<HandlerFigure> figures() const override;
   const std::vector<ImplicitCluster>& clusters() const { return clusters_; }
-  /// How the equations of the handled elements are solved in steps of h (s); none where they are linear.
-  std::optional<NewtonSettings> newtonSettings(double h) const;
+  std::string whyNotInParts() const override;
 
  protected:
   void takeOwn(const NodeVectors& x, double h, const ElementFlags& chosen) override;

@@ -7,6 +7,7 @@
 
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/base/parallel.h>
+#include <ringwatch/body/domain.h>
 #include <ringwatch/body/nodes_of.h>
 #include <ringwatch/body/sub_body.h>
 #include <ringwatch/handlers/angular_momentum.h>
@@ -461,6 +462,17 @@ void NewtonCounts::add(const NewtonCluster& cluster) {
   products += cluster.products();
   stalls += cluster.stalls();
   eulerSteps += cluster.eulerSteps();
+}
+
+void NewtonCounts::addOthers(Domain& domain) {
+  const std::array<std::int64_t*, 5> numbers{&clusters, &iterations, &products, &stalls, &eulerSteps};
+  std::array<ExactSum, numbers.size()> sums;  // whole numbers
+  for (std::size_t i = 0; i < numbers.size(); ++i) sums[i].add(static_cast<double>(*numbers[i]));
+  domain.sum(sums);
+  for (std::size_t i = 0; i < numbers.size(); ++i) *numbers[i] = static_cast<std::int64_t>(sums[i].value());
+  auto largest = static_cast<double>(largestNodes);
+  domain.largest({&largest, 1});
+  largestNodes = static_cast<std::int64_t>(largest);
 }
 
 std::vector<HandlerFigure> NewtonCounts::figures() const {

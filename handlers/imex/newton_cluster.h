@@ -24,15 +24,6 @@ struct ImplicitScheme {
   double c() const { return dissipation * h / w(); }                        // 1/s
 };
 
-/// How the nonlinear equations of handled elements are solved: as NewtonCluster takes it, and whether clusters that
-/// nothing holds keep their angular momentum.
-struct NewtonSettings {
-  ImplicitScheme scheme;
-  double tolerance;
-  int mostProducts;
-  bool keepsMomentum;
-};
-
 /// Elements that share nodes, with the nonlinear equation of the implicit-explicit step on their nodes. With their
 /// internal force f_I, the state (x, v), the acceleration ã by all other forces, w = beta h² and c = α/(beta h),
 ///   M u + f_I(x + w u) = M (ã + c v),   u = a' + c v,
@@ -170,6 +161,8 @@ struct NewtonCounts {
   std::int64_t iterations = 0, products = 0, stalls = 0, eulerSteps = 0;  // as NewtonCluster counts them
 
   void add(const NewtonCluster& cluster);
+  /// Those of the other parts of a body. Collective.
+  void addOthers(Domain& domain);
   std::vector<HandlerFigure> figures() const;
 };
 

@@ -7,6 +7,7 @@
 #include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/rounding.h>
+#include <ringwatch/body/domain.h>
 #include <ringwatch/handlers/mass_scaling/lowest_frequencies.h>
 #include <ringwatch/monitor/bounds/nodal_bound.h>
 #include <ringwatch/monitor/bounds/scaled_tangent.h>
@@ -23,6 +24,21 @@ Eigen::Matrix3d flooredRoot(const Eigen::Matrix3d& A) {
   return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(floor).cwiseSqrt().asDiagonal() *
          eigen.eigenvectors().transpose();
 }
+
+/// What the bound of a part of a body asks the others.
+class OtherParts final : public RestOfBody {
+ public:
+  explicit OtherParts(Domain& domain) : domain_(domain) {}
+  void completeSums(Eigen::Matrix<double, 6, Eigen::Dynamic>& sums) override { domain_.exchange(sums); }
+  double largest(double own) override {
+    domain_.largest({&own, 1});
+    return own;
+  }
+  bool counts(ElementRef element) const override { return domain_.counts(element); }
+
+ private:
+  Domain& domain_;
+};
 
 }  // namespace
 
@@ -43,11 +59,28 @@ ElementFlags MassScaling::choose(const NodeVectors& x, double h, const ElementFl
   return Handler::choose(x, h, keep);
 }
 
+bool MassScaling::isPart() const { return !body_.domain().whole(); }
+
+void MassScaling::inherit(const Handler& before) {
+  const auto* whole = dynamic_cast<const MassScaling*>(&before);
+  if (!whole || !isPart()) return;
+  begun_ = true;
+  allHaveEnergy_ = whole->allHaveEnergy_;
+  division_ = whole->division_;
+  if (body_.domain().first()) whole_ = whole;
+}
+
 void MassScaling::divideSteps(const NodeVectors& x, double h) {
   NodalBound bound(body_);
+  OtherParts others(body_.domain());
+  if (isPart()) bound.setRest(&others);
   const UpperBound lambda = bound.evaluate(x, StepDivision::sweeps);
-  noteSelectionCost({static_cast<std::int64_t>(body_.mesh().elementCount()), bound.evaluations()});
+  ExactSum evaluations;  // small whole numbers
+  evaluations.add(static_cast<double>(bound.evaluations()));
+  body_.domain().sum({&evaluations, 1});
+  noteSelectionCost({body_.elementCount(), static_cast<std::int64_t>(evaluations.value())});
   division_.choose(lambda, h, limit());
+  if (isPart()) return;  // partsOfStep() says it
   if (parts() == 1)
     attachAll();
   else
@@ -66,12 +99,12 @@ StepStatus MassScaling::handledStep(SecondOrderSystem& system, State& state, dou
 
 bool MassScaling::endsWithoutEnergy(const NodeVectors& x) const {
   if (allHaveEnergy_) return false;
-  const auto least = leastDeterminantOfChosen(x);
+  const auto least = leastDeterminantOfChosen(body_.domain().withGhosts(x));
   return least && !(least->value > 0);
 }
 
 void MassScaling::take(const NodeVectors& x, double h, const ElementFlags& chosen) {
-  if (x_.size() > 0) return;
+  if (x_.size() > 0 || isPart()) return;
   allHaveEnergy_ = std::ranges::all_of(
       elements(), [&](ElementRef e) { return body_.blocks()[e.block]->material().info().definedInverted; });
   std::vector<Eigen::Matrix3d> sums = certificate()->nodalSums;
@@ -111,6 +144,11 @@ void MassScaling::take(const NodeVectors& x, double h, const ElementFlags& chose
     added_[i] += more;
   }
   x_ = x;
+}
+
+std::vector<HandlerFigure> MassScaling::figures() const {
+  if (!isPart()) return figuresWith(division_);
+  return whole_ ? whole_->figuresWith(division_) : std::vector<HandlerFigure>();
 }
 
 std::vector<HandlerFigure> MassScaling::figuresWith(const StepDivision& division) const {

@@ -39,21 +39,17 @@ class MassScaling final : public Handler {
 
   /// Added mass, kg and % of the body's own, steps that were divided and the largest n, and the lowest elastic
   /// frequencies with and without it, Hz, at the positions where the mass was added.
-  std::vector<HandlerFigure> figures() const override { return figuresWith(division_); }
+  std::vector<HandlerFigure> figures() const override;
   bool certified() const override { return Handler::certified() && division_.proven(); }
   /// A while after a choice, where steps are divided.
   bool asksForChoice() const override { return division_.asksForChoice(); }
   /// n, of the steps of h/n that the last choice asked for.
   int parts() const { return division_.parts(); }
-  /// For a run that takes its steps elsewhere: how it begins to divide them, what a step is allowed, and whether the
-  /// handled elements have an energy where they are inverted.
-  const StepDivision& division() const { return division_; }
-  StepDivision::Limit limit() const;
-  bool allHaveEnergy() const { return allHaveEnergy_; }
-  /// figures(), where `division` has divided the steps.
-  std::vector<HandlerFigure> figuresWith(const StepDivision& division) const;
+  int partsOfStep() const override { return isPart() ? parts() : 1; }
 
  protected:
+  /// On a part of a body mass was added to the whole, before it was taken apart.
+  void inherit(const Handler& before) override;
   ElementFlags choose(const NodeVectors& x, double h, const ElementFlags& keep) override;
   void take(const NodeVectors& x, double h, const ElementFlags& chosen) override;
   StepStatus handledStep(SecondOrderSystem& system, State& state, double h) override;
@@ -61,14 +57,18 @@ class MassScaling final : public Handler {
   bool handledBeginsWithAcceleration() const override { return base_->beginsWithAcceleration(); }
 
  private:
+  bool isPart() const;
+  StepDivision::Limit limit() const;
   void divideSteps(const NodeVectors& x, double h);
   bool endsWithoutEnergy(const NodeVectors& x) const;
+  std::vector<HandlerFigure> figuresWith(const StepDivision& division) const;
 
   Eigen::VectorXd ownMass_, added_;  // kg, by node
   NodeVectors x_;                    // where mass was added, m
   bool begun_ = false;               // the first choice was made
   bool allHaveEnergy_ = true;        // handled elements, inverted ones too
   StepDivision division_;
+  const MassScaling* whole_ = nullptr;  // on the first process, of whose body this has a part
 };
 
 }  // namespace ringwatch

@@ -17,13 +17,13 @@
 #include <ringwatch/distributed/halo.h>
 #include <ringwatch/distributed/partition.h>
 #include <ringwatch/distributed/rank_body.h>
-#include <ringwatch/distributed/rank_energies.h>
+#include <ringwatch/distributed/rank_domain.h>
 #include <ringwatch/distributed/rank_monitor.h>
-#include <ringwatch/distributed/rank_stepper.h>
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/materials/registry.h>
 #include <ringwatch/meshes/generators/generators.h>
 #include <ringwatch/monitor/critical_step.h>
+#include <ringwatch/monitor/energy_balance.h>
 #include <tests/distributed/some.h>
 
 namespace ringwatch {
@@ -134,9 +134,9 @@ class Distributed {
       : ranks_(communicator),
         part_(*trial.body, partition, ranks_.rank(), threads),
         halo_(ranks_, part_),
-        system_(part_, trial.damping),
+        domain_(ranks_, halo_, part_),
+        system_(part_.body(), trial.damping),
         integrator_(integratorOf(trial)),
-        stepper_(halo_, system_, *integrator_),
         monitor_(ranks_, halo_, part_, {.limit = 2.0, .mode = mode, .every = every}) {
     state_.x.resize(3, part_.body().nodeCount());
     state_.v = state_.x;
@@ -148,21 +148,22 @@ class Distributed {
   /// Ghosts get their positions with the next step.
   const MonitorReport& beginStep(std::int64_t k, double h) {
     const MonitorReport& report = observe(k, h);
-    EXPECT_TRUE(stepper_.beginStep(state_, h).done);
+    EXPECT_TRUE(integrator_->advance(system_, state_, h).done);
+    halo_.begin(state_.x);
     return report;
   }
   const MonitorReport& step(std::int64_t k, double h) {
-    const MonitorReport& report = observe(k, h);
-    EXPECT_TRUE(stepper_.step(state_, h).done);
+    const MonitorReport& report = beginStep(k, h);
+    halo_.finish();
     return report;
   }
   const MonitorReport& observe(std::int64_t k, double h) {
     int asked = 0;
     evaluation_.wantsForce = true;
     return monitor_.observe(k, state_.time, state_.x, state_.v, h, evaluation_, asked,
-                            [&] { stepper_.takeForce(state_, evaluation_.internalForce); });
+                            [&] { system_.complete(state_, evaluation_); });
   }
-  RankEnergies energies() { return energiesOf(ranks_, part_, state_.x, state_.v); }
+  Energies energies() { return EnergyBalance(part_.body()).evaluate(state_.x, state_.v); }
   const RankBody& part() const { return part_; }
   const State& state() const { return state_; }
   Ranks& ranks() { return ranks_; }
@@ -173,9 +174,9 @@ class Distributed {
   Ranks ranks_;
   RankBody part_;
   Halo halo_;
-  RankSystem system_;
+  RankDomain domain_;
+  BodySystem system_;
   std::unique_ptr<Integrator> integrator_;
-  RankStepper stepper_;
   RankMonitor monitor_;
   State state_;
   StepEvaluation evaluation_;
@@ -240,7 +241,7 @@ TEST(Distributed, HasTheBitsOfOneRankForAnyPartition) {
       // Most exchanges end within the next observation.
       const bool early = step % 4 == 3;
       if (early) parts.halo().finish();
-      const RankEnergies one = whole.energies(), all = early ? parts.energies() : one;
+      const Energies one = whole.energies(), all = early ? parts.energies() : one;
       EXPECT_TRUE(sameBits(&one.kinetic, &all.kinetic, 1) && sameBits(&one.strain, &all.strain, 1)) << trial.what;
       integrator->advance(system, state, h);
       // Beyond that the order of terms decides whether an overflow is infinite or not a number; a run ends there.
@@ -313,7 +314,6 @@ TEST(Distributed, SendsWhatTheModelSays) {
   Trial damped = makeTrial(77, 1, 4);
   damped.damping.alpha = 5;
   for (const Trial* one : {&trial, static_cast<const Trial*>(&damped)}) {
-    const bool velocities = one->damping.alpha != 0;
     Distributed parts(MPI_COMM_WORLD, *one, worldPartition(mesh), 1, MonitorMode::threshold);
     const double h = 0.2 * one->h;  // well below: no element leaves its allowance
     parts.beginStep(0, h);
@@ -327,8 +327,8 @@ TEST(Distributed, SendsWhatTheModelSays) {
         all{};
     MPI_Allreduce(own.data(), all.data(), 3, MPI_INT64_T, MPI_SUM, MPI_COMM_WORLD);
     EXPECT_EQ(after.exchanges - before.exchanges, steps);
-    EXPECT_EQ(all[0], steps * 24 * (velocities ? 2 : 1) * all[1]);
-    EXPECT_EQ(after.received - before.received, 24 * steps * (velocities ? 2 : 1) * own[1]);
+    EXPECT_EQ(all[0], steps * 24 * all[1]);
+    EXPECT_EQ(after.received - before.received, 24 * steps * own[1]);
     EXPECT_LE(after.hidden - before.hidden, after.received - before.received);
     EXPECT_EQ(own[2], steps * static_cast<std::int64_t>(parts.part().neighbours().size()));
     EXPECT_EQ(parts.ranks().reductions() - reductions, steps);
@@ -343,7 +343,7 @@ TEST(Distributed, AddsUpAndGathers) {
   for (int k = 0; k < 3; ++k) parts.step(k, 0.5 * trial.h);
   const NodeVectors x = gathered(parts.ranks(), parts.part(), parts.state().x),
                     v = gathered(parts.ranks(), parts.part(), parts.state().v);
-  const RankEnergies energies = parts.energies();
+  const Energies energies = parts.energies();
   if (parts.ranks().rank() != 0) {
     EXPECT_EQ(x.cols(), 0);
     return;
@@ -366,12 +366,6 @@ TEST(Distributed, RefusesWhatDoesNotFit) {
   const RankBody part(*trial.body, partitionMesh(mesh, 1), 0);
   Halo halo(ranks, part);
   EXPECT_THROW(RankMonitor(ranks, halo, part, {.mode = MonitorMode::metric}), InputError);
-  RankSystem system(part);
-  const std::unique_ptr<Integrator> integrator = makeIntegrator("rk4");
-  EXPECT_THROW(RankStepper(halo, system, *integrator), InputError);
-  RankSystem damped(part, {.alpha = 0, .beta = 1e-6});
-  const std::unique_ptr<Integrator> euler = makeIntegrator("symplectic-euler");
-  EXPECT_THROW(RankStepper(halo, damped, *euler), InputError);
 }
 
 /// One rank that is to stop, or whose state is not finite, is known to all.

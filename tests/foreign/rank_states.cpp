@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include <ringwatch/distributed/rank_energies.h>
+#include <ringwatch/distributed/rank_domain.h>
 #include <ringwatch/distributed/rank_monitor.h>
-#include <ringwatch/distributed/rank_stepper.h>
+#include <ringwatch/integrators/body_system.h>
 #include <ringwatch/meshes/generators/generators.h>
 
 namespace ringwatch {
@@ -28,19 +28,19 @@ void run(const std::string& folder) {
       for (std::int32_t i = 0; i < whole.nodeCount(); ++i)
         if (whole.mesh().X(0, i) < 1e-9) whole.constraints().fix(i);
       whole.addBodyForce({0, 0, -300});
-      const RankBody part(whole, partitionMesh(ranks, whole.mesh()), ranks.rank(), 1);
+      RankBody part(whole, partitionMesh(ranks, whole.mesh()), ranks.rank(), 1);
       Halo halo(ranks, part);
-      RankSystem system(part);
+      RankDomain domain(ranks, halo, part);
+      BodySystem system(part.body());
       const std::unique_ptr<Integrator> integrator = makeIntegrator("symplectic-euler");
-      RankStepper stepper(halo, system, *integrator);
       RankMonitor monitor(ranks, halo, part, {.limit = 2.0});
-      State state = system.ofBody().initialState();
+      State state = system.initialState();
       StepEvaluation evaluation;
       const double h = 1e-4;
       for (int step = 0; step <= 100; ++step) {
         int asked = 0;
         const MonitorReport& report = monitor.observe(step, state.time, state.x, state.v, h, evaluation, asked,
-                                                      [&] { stepper.takeForce(state, evaluation.internalForce); });
+                                                      [&] { system.complete(state, evaluation); });
         if (step % 50 == 0) {
           const NodeVectors x = gathered(ranks, part, state.x);
           if (ranks.rank() == 0) {
@@ -61,7 +61,8 @@ void run(const std::string& folder) {
             std::fclose(file);
           }
         }
-        stepper.step(state, h);
+        integrator->advance(system, state, h);
+        halo.exchange(state.x);
       }
     }
 }

@@ -1,0 +1,10 @@
+#include <ringwatch/body/domain.h>
+
+namespace ringwatch {
+
+Domain& wholeDomain() {
+  static Domain whole;
+  return whole;
+}
+
+}  // namespace ringwatch
