@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 """Holds README.md, CHANGELOG.md, all of docs/ and bench/, and the files that CONTRIBUTING.md names, to the program and to the repository.
 
-usage: documents_test.py links|lists|words|commands SOURCE_DIR PROGRAM [PAGE ...]    PAGE: only this one, of a check of single pages
+usage: documents_test.py links|lists|words|guides|commands SOURCE_DIR PROGRAM [PAGE ...]    PAGE: only this one, of a check of single pages
 
 links     every relative link, its heading included, and every file that is named in code leads somewhere
 lists     commands, options, topics, scene keys and lists of names in the documents are those of `ringwatch help TOPIC`, and
           what stands in TOML is valid by the schema of scenes
 words     documents, help texts, messages and docstrings of Python have none of the words that only a diary or a former name needs
+guides    the pages of docs/ are short, and tell neither days nor machines nor what was once otherwise
 commands  every command in a fenced block runs, or is listed below with the reason why it does not, and a text block behind it is
           what it prints
 """
@@ -70,7 +71,7 @@ NOT_RUN = {
     "srun": "of the machines that have SLURM",
     "mpirun": "refuses root unless told; tests/distributed and examples.embed_ranks run it",
     "PYTHONPATH=build/release/python": "tests/python imports the module from the build tree",
-    'PYTHONPATH="$PWD/build/release/python"': "opens a browser; tests/python runs the notebook",
+    'PYTHONPATH="$PWD/build/release/python"': "opens a browser; tests/python runs the notebooks",
     "build/release/bin/ringwatch_bench_body": "bench",
     "build/release/bin/ringwatch_bench_monitor": "bench",
     "build/release/bin/ringwatch_bench_eigenvalues": "bench",
@@ -90,6 +91,19 @@ WORDS = {
     "left their balls": "left their validity balls", "leave its ball": "leaves its validity ball", "left its ball": "left its validity ball",
     "hot spot": "local mode", "looked at": "examined", "looks at": "examines", "books": "energy balance, or textbooks",
     "keepbooks": "energyBalance.update", "steer": "aim at", "steers": "aims at", "steered": "aimed at", "ease": "relaxBound", "eases": "relaxes",
+}
+
+
+# How many lines a page of docs/ may have: what a reader takes in at once. 150 where the page is not named here.
+GUIDE_LINES, LONGEST_GUIDE = {"monitor.md": 90, "performance.md": 50, "cluster.md": 100}, 150
+# How wide its lines may be, so that a change of a sentence can be read, and its rows of tables, so that a cell stays one thought.
+WIDEST_PROSE, WIDEST_ROW = 170, 220
+TERMS_OF_THE_GLOSSARY = 45
+# What dates a page. Figures stand with their day and machine in bench/results, changes in CHANGELOG.md.
+DATED = {
+    "a day": r"\b(January|February|March|April|May|June|July|August|September|October|November|December) 20\d\d|\b20\d\d-\d\d",
+    "a machine": r"\b(Xeon|EPYC|Ryzen|[ABH][12]00)\b",
+    "history": r"\b(now|recently|formerly|previously|nowadays|used to|until then|at first it|since a change|was mended|were mended|earlier version)\b",
 }
 
 
@@ -481,6 +495,36 @@ class Documents:
                     if self.help(c) is not None]
         return [(name,) for name in dict.fromkeys([*topics, *commands])] + [("mesh", k) for k in ("generate", "convert", "check")]
 
+    # ---- guides
+
+    def check_guides(self):
+        pages = [path for path in self.paths if path.parent == self.source / "docs"]
+        for path in pages:
+            lines, fenced = self.lines(path), False
+            if len(lines) - 1 > (limit := GUIDE_LINES.get(path.name, LONGEST_GUIDE)):
+                self.fault(path, limit + 1, f"{len(lines) - 1} lines; at most {limit}")
+            for number, line in enumerate(lines, 1):
+                if line.startswith("```"):
+                    fenced = not fenced
+                if fenced:
+                    continue
+                told = re.sub(r"\]\([^)]*\)|`[^`]*`", "", line)
+                row = line.lstrip().startswith("|")
+                width, limit = (len(told), WIDEST_ROW) if row else (len(line), WIDEST_PROSE)
+                if width > limit:
+                    self.fault(path, number, f"{width} letters wide; at most {limit}")
+                for what, pattern in DATED.items():
+                    if match := re.search(pattern, told):
+                        self.fault(path, number, f'"{match[0]}" tells {what}')
+        path = self.source / "docs/glossary.md"
+        if path in pages:
+            terms = sum(line.startswith("| **") for line in self.lines(path))
+            if not 1 <= terms <= TERMS_OF_THE_GLOSSARY:
+                self.fault(path, 1, f"{terms} terms; at most {TERMS_OF_THE_GLOSSARY}")
+        for name in GUIDE_LINES:
+            if not (self.source / "docs" / name).exists():
+                self.faults.append(f"{pathlib.Path(__file__).name}: there is no guide {name} any more")
+
     # ---- commands
 
     def check_commands(self):
@@ -588,7 +632,8 @@ def main():
     documents = Documents(source, program)
     if sys.argv[4:]:
         documents.paths = [source / page for page in sys.argv[4:]]
-    {"links": documents.check_links, "lists": documents.check_lists, "words": documents.check_words, "commands": documents.check_commands}[check]()
+    {"links": documents.check_links, "lists": documents.check_lists, "words": documents.check_words, "guides": documents.check_guides,
+     "commands": documents.check_commands}[check]()
     print("\n".join(documents.faults) or f"{check}: no fault in {len(documents.paths)} documents")
     return 1 if documents.faults else 0
 
