@@ -39,24 +39,14 @@ SUBSTITUTES = {
     "ringwatch compare examples/swinging_bar.toml --integrators all --out out/compare":
         ("ringwatch compare examples/swinging_bar.toml --integrators symplectic-euler,verlet --out out/compare "
          "--set mesh.cells=[4,1,1] --set integrator.end=0.02", 0),
-    "ringwatch verify integrators --out out/integrators": ("ringwatch verify integrators --quick --out out/integrators", 0),
     # Of another body.
     "ringwatch-check --expect 0123456789abcdef bar.certificate": ("ringwatch-check --expect 0123456789abcdef bar.certificate", 1),
-    "ringwatch verify elements": ("true", 0),
-    "ringwatch verify monitor": ("true", 0),
-}
-
-# Studies whose quick form takes too long here; these tests run it.
-STUDY_TESTS = {
-    "elements": "tests/verify/elements_study_test.cpp",
-    "monitor": "tests/verify/monitor_study_test.cpp",
 }
 
 # Commands that are not run, by their first word: why not. A script must pass `bash -n` or compile; a benchmark program
 # must be a target of bench/.
 NOT_RUN = {
-    "scripts/demo": "installs packages and builds; its run is the README's next command",
-    "scripts/test": "builds, and runs this test among all others",
+    "scripts/demo": "installs packages and builds; CI runs it, and the README's commands behind it",
     "scripts/gpu": "needs a GPU machine",
     "compute-sanitizer": "needs a GPU machine",
     "RINGWATCH_ROUNDING_TRIALS=200": "measures for minutes",
@@ -383,24 +373,7 @@ class Documents:
             if path != self.source / "docs/reference/json.md":  # has keys of other files; reference_test.py compares them
                 self.check_keys(path, keys)
 
-        readme, told = self.source / "README.md", set()
-        for line in self.lines(readme):
-            match = re.match(r"\| (elements|laws|integrators|metrics|handlers|mesh formats|mesh generators) \| ([^(;]*)", line)
-            if not match:
-                continue
-            topic = match[1].removeprefix("mesh ")
-            names = self.names(topic)
-            if topic == "formats":
-                names = [e for name in names for e in name.split("/")]
-            found = re.findall(r"`([\w.:-]+)`", match[2])
-            # A program without SUNDIALS has the explicit integrators only.
-            if topic == "integrators" and "implicit-euler" not in names:
-                found = [name for name in found if name in names]
-            self.same(readme, match[1], found, topic, names)
-            told.add(topic)
-        for topic in ("elements", "laws", "integrators", "metrics", "handlers", "formats", "generators"):
-            if topic not in told:
-                self.fault(readme, 1, f"the table of what it knows has no row of {topic}")
+        readme = self.source / "README.md"
         self.same(*self.column("docs/elements.md", "| element | nodes", "elements"))
         path, _ = self.first_column("docs/elements.md", "| element | nodes")
         for match in re.finditer(r"^\| `(\w+)` \| (\d+) \| [^|]* \| (.*) \|$", "\n".join(self.lines(path)), re.M):
@@ -543,7 +516,7 @@ class Documents:
                 self.write_scenes(path, work)
                 listed = list(self.commands(path))
                 # Commands in the running text count when they name a scene of the examples.
-                listed += [(n, s) for n, s in self.spans(path) if re.match(r"ringwatch (run|compare) examples/\S+\.toml", s)]
+                listed += [(n, s) for n, s in self.spans(path) if re.match(r"ringwatch (run|compare|suggest|advise|scale-mass) examples/\S+\.toml", s)]
                 for line, command in listed:
                     first = command.split()[0]
                     if first == "export" or first == "ringwatch-check" and not checker.exists():
@@ -563,10 +536,6 @@ class Documents:
                     outputs[command] = result.stdout
                     if result.returncode != status:
                         self.fault(path, line, f"`{run}` ends with {result.returncode}, not {status}: {result.stderr.strip()}")
-                    for study in re.findall(r"^ringwatch verify (\w+)", command):
-                        test = self.source / STUDY_TESTS.get(study, "-")
-                        if run == "true" and (not test.exists() or "StudyEffort::quick" not in test.read_text(encoding="utf-8")):
-                            self.fault(path, line, f"no test runs the study {study}")
         for path in self.paths:
             if path.parent != self.source / "docs/reference":  # made from the program; reference_test.py compares them
                 self.check_texts(path, outputs)
