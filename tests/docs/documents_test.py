@@ -53,20 +53,14 @@ NOT_RUN = {
     "RINGWATCH_TAMPERED_CERTIFICATES=100000": "tries for minutes; the tests try some hundreds",
     "RINGWATCH_ELEMENT_CHECKS=10000000": "tries for hours; the tests try some thousands",
     "RINGWATCH_HISTORY_CHECKS=1000000": "tries for an hour; the tests try some thousands",
-    "bench/figures": "measures for minutes",
     "bench/compare.py": "compares results of the benchmark programs",
     "cmake": "configures and builds",
-    "cp": "copies pictures that bench/figures makes",
     "module": "of the machines that have it; names differ from site to site",
     "srun": "of the machines that have SLURM",
     "mpirun": "refuses root unless told; tests/distributed and examples.embed_ranks run it",
     "PYTHONPATH=build/release/python": "tests/python imports the module from the build tree",
     'PYTHONPATH="$PWD/build/release/python"': "opens a browser; tests/python runs the notebooks",
     "build/release/bin/ringwatch_bench_body": "bench",
-    "build/release/bin/ringwatch_bench_monitor": "bench",
-    "build/release/bin/ringwatch_bench_eigenvalues": "bench",
-    "build/release/bin/ringwatch_start_up": "bench",
-    "build/release/bin/ringwatch_work_precision": "bench",
 }
 
 
@@ -410,15 +404,20 @@ class Documents:
             self.fault(readme, 1, f"does not say that this is version {version.rpartition('.')[0]}")
 
         results = self.source / "bench/results"
-        listed = "\n".join(self.lines(results / "README.md"))
-        for folder in sorted(p for p in results.iterdir() if p.is_dir()):
-            path = folder / "README.md"
-            if f"]({folder.name}/README.md)" not in listed:
-                self.fault(results / "README.md", 1, f"does not list {folder.name}")
-            table = dict(re.findall(r"^\| ([\w ]+) \| (.+) \|$", "\n".join(self.lines(path)[:12]), re.M))
-            for row in ("machine", "processor", "system", "compiler", "commit", "load", "made by"):
-                if row not in table:
-                    self.fault(path, 1, f"its first table has no row {row}")
+        schema = jsonschema.Draft7Validator(json.loads((results / "schema.json").read_text(encoding="utf-8")))
+        runs = sorted(results.glob("20*.json"))
+        for path in runs:
+            run = json.loads(path.read_text(encoding="utf-8"))
+            for error in schema.iter_errors(run):
+                self.fault(path, 1, f"{'.'.join(map(str, error.absolute_path))} is not valid: {error.message}")
+            for measurement in run["measurements"]:
+                if any(len(row) != len(measurement["columns"]) for row in measurement["rows"]):
+                    self.fault(path, 1, f"{measurement['subject']}: a row has not as many cells as there are columns")
+            if not path.name.startswith(run["date"]):
+                self.fault(path, 1, f"is not named by its day, {run['date']}")
+        made = subprocess.run([sys.executable, self.source / "bench/results.py", "page", "--check"], capture_output=True, text=True, check=False)
+        if made.returncode or not runs:
+            self.faults.append(made.stderr.strip() or "bench/results has no run")
 
     def column(self, name, header, topic):
         path, found = self.first_column(name, header)
