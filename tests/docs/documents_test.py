@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 """Holds README.md, CHANGELOG.md, all of docs/ and bench/, and the files that CONTRIBUTING.md names, to the program and to the repository.
 
-usage: documents_test.py links|lists|words|commands SOURCE_DIR PROGRAM [PAGE ...]    PAGE: only this one, of a check of single pages
+usage: documents_test.py links|lists|words|guides|commands SOURCE_DIR PROGRAM [PAGE ...]    PAGE: only this one, of a check of single pages
 
 links     every relative link, its heading included, and every file that is named in code leads somewhere
 lists     commands, options, topics, scene keys and lists of names in the documents are those of `ringwatch help TOPIC`, and
           what stands in TOML is valid by the schema of scenes
 words     documents, help texts, messages and docstrings of Python have none of the words that only a diary or a former name needs
+guides    the pages of docs/ are short, and tell neither days nor machines nor what was once otherwise
 commands  every command in a fenced block runs, or is listed below with the reason why it does not, and a text block behind it is
           what it prints
 """
@@ -38,44 +39,28 @@ SUBSTITUTES = {
     "ringwatch compare examples/swinging_bar.toml --integrators all --out out/compare":
         ("ringwatch compare examples/swinging_bar.toml --integrators symplectic-euler,verlet --out out/compare "
          "--set mesh.cells=[4,1,1] --set integrator.end=0.02", 0),
-    "ringwatch verify integrators --out out/integrators": ("ringwatch verify integrators --quick --out out/integrators", 0),
     # Of another body.
     "ringwatch-check --expect 0123456789abcdef bar.certificate": ("ringwatch-check --expect 0123456789abcdef bar.certificate", 1),
-    "ringwatch verify elements": ("true", 0),
-    "ringwatch verify monitor": ("true", 0),
-}
-
-# Studies whose quick form takes too long here; these tests run it.
-STUDY_TESTS = {
-    "elements": "tests/verify/elements_study_test.cpp",
-    "monitor": "tests/verify/monitor_study_test.cpp",
 }
 
 # Commands that are not run, by their first word: why not. A script must pass `bash -n` or compile; a benchmark program
 # must be a target of bench/.
 NOT_RUN = {
-    "scripts/demo": "installs packages and builds; its run is the README's next command",
-    "scripts/test": "builds, and runs this test among all others",
+    "scripts/demo": "installs packages and builds; CI runs it, and the README's commands behind it",
     "scripts/gpu": "needs a GPU machine",
     "compute-sanitizer": "needs a GPU machine",
     "RINGWATCH_ROUNDING_TRIALS=200": "measures for minutes",
     "RINGWATCH_TAMPERED_CERTIFICATES=100000": "tries for minutes; the tests try some hundreds",
     "RINGWATCH_ELEMENT_CHECKS=10000000": "tries for hours; the tests try some thousands",
     "RINGWATCH_HISTORY_CHECKS=1000000": "tries for an hour; the tests try some thousands",
-    "bench/figures": "measures for minutes",
     "bench/compare.py": "compares results of the benchmark programs",
     "cmake": "configures and builds",
-    "cp": "copies pictures that bench/figures makes",
     "module": "of the machines that have it; names differ from site to site",
     "srun": "of the machines that have SLURM",
     "mpirun": "refuses root unless told; tests/distributed and examples.embed_ranks run it",
     "PYTHONPATH=build/release/python": "tests/python imports the module from the build tree",
-    'PYTHONPATH="$PWD/build/release/python"': "opens a browser; tests/python runs the notebook",
+    'PYTHONPATH="$PWD/build/release/python"': "opens a browser; tests/python runs the notebooks",
     "build/release/bin/ringwatch_bench_body": "bench",
-    "build/release/bin/ringwatch_bench_monitor": "bench",
-    "build/release/bin/ringwatch_bench_eigenvalues": "bench",
-    "build/release/bin/ringwatch_start_up": "bench",
-    "build/release/bin/ringwatch_work_precision": "bench",
 }
 
 
@@ -90,6 +75,19 @@ WORDS = {
     "left their balls": "left their validity balls", "leave its ball": "leaves its validity ball", "left its ball": "left its validity ball",
     "hot spot": "local mode", "looked at": "examined", "looks at": "examines", "books": "energy balance, or textbooks",
     "keepbooks": "energyBalance.update", "steer": "aim at", "steers": "aims at", "steered": "aimed at", "ease": "relaxBound", "eases": "relaxes",
+}
+
+
+# How many lines a page of docs/ may have: what a reader takes in at once. 150 where the page is not named here.
+GUIDE_LINES, LONGEST_GUIDE = {"monitor.md": 90, "performance.md": 50, "cluster.md": 100}, 150
+# How wide its lines may be, so that a change of a sentence can be read, and its rows of tables, so that a cell stays one thought.
+WIDEST_PROSE, WIDEST_ROW = 170, 220
+TERMS_OF_THE_GLOSSARY = 45
+# What dates a page. Figures stand with their day and machine in bench/results, changes in CHANGELOG.md.
+DATED = {
+    "a day": r"\b(January|February|March|April|May|June|July|August|September|October|November|December) 20\d\d|\b20\d\d-\d\d",
+    "a machine": r"\b(Xeon|EPYC|Ryzen|[ABH][12]00)\b",
+    "history": r"\b(now|recently|formerly|previously|nowadays|used to|until then|at first it|since a change|was mended|were mended|earlier version)\b",
 }
 
 
@@ -369,24 +367,7 @@ class Documents:
             if path != self.source / "docs/reference/json.md":  # has keys of other files; reference_test.py compares them
                 self.check_keys(path, keys)
 
-        readme, told = self.source / "README.md", set()
-        for line in self.lines(readme):
-            match = re.match(r"\| (elements|laws|integrators|metrics|handlers|mesh formats|mesh generators) \| ([^(;]*)", line)
-            if not match:
-                continue
-            topic = match[1].removeprefix("mesh ")
-            names = self.names(topic)
-            if topic == "formats":
-                names = [e for name in names for e in name.split("/")]
-            found = re.findall(r"`([\w.:-]+)`", match[2])
-            # A program without SUNDIALS has the explicit integrators only.
-            if topic == "integrators" and "implicit-euler" not in names:
-                found = [name for name in found if name in names]
-            self.same(readme, match[1], found, topic, names)
-            told.add(topic)
-        for topic in ("elements", "laws", "integrators", "metrics", "handlers", "formats", "generators"):
-            if topic not in told:
-                self.fault(readme, 1, f"the table of what it knows has no row of {topic}")
+        readme = self.source / "README.md"
         self.same(*self.column("docs/elements.md", "| element | nodes", "elements"))
         path, _ = self.first_column("docs/elements.md", "| element | nodes")
         for match in re.finditer(r"^\| `(\w+)` \| (\d+) \| [^|]* \| (.*) \|$", "\n".join(self.lines(path)), re.M):
@@ -423,15 +404,20 @@ class Documents:
             self.fault(readme, 1, f"does not say that this is version {version.rpartition('.')[0]}")
 
         results = self.source / "bench/results"
-        listed = "\n".join(self.lines(results / "README.md"))
-        for folder in sorted(p for p in results.iterdir() if p.is_dir()):
-            path = folder / "README.md"
-            if f"]({folder.name}/README.md)" not in listed:
-                self.fault(results / "README.md", 1, f"does not list {folder.name}")
-            table = dict(re.findall(r"^\| ([\w ]+) \| (.+) \|$", "\n".join(self.lines(path)[:12]), re.M))
-            for row in ("machine", "processor", "system", "compiler", "commit", "load", "made by"):
-                if row not in table:
-                    self.fault(path, 1, f"its first table has no row {row}")
+        schema = jsonschema.Draft7Validator(json.loads((results / "schema.json").read_text(encoding="utf-8")))
+        runs = sorted(results.glob("20*.json"))
+        for path in runs:
+            run = json.loads(path.read_text(encoding="utf-8"))
+            for error in schema.iter_errors(run):
+                self.fault(path, 1, f"{'.'.join(map(str, error.absolute_path))} is not valid: {error.message}")
+            for measurement in run["measurements"]:
+                if any(len(row) != len(measurement["columns"]) for row in measurement["rows"]):
+                    self.fault(path, 1, f"{measurement['subject']}: a row has not as many cells as there are columns")
+            if not path.name.startswith(run["date"]):
+                self.fault(path, 1, f"is not named by its day, {run['date']}")
+        made = subprocess.run([sys.executable, self.source / "bench/results.py", "page", "--check"], capture_output=True, text=True, check=False)
+        if made.returncode or not runs:
+            self.faults.append(made.stderr.strip() or "bench/results has no run")
 
     def column(self, name, header, topic):
         path, found = self.first_column(name, header)
@@ -481,6 +467,36 @@ class Documents:
                     if self.help(c) is not None]
         return [(name,) for name in dict.fromkeys([*topics, *commands])] + [("mesh", k) for k in ("generate", "convert", "check")]
 
+    # ---- guides
+
+    def check_guides(self):
+        pages = [path for path in self.paths if path.parent == self.source / "docs"]
+        for path in pages:
+            lines, fenced = self.lines(path), False
+            if len(lines) - 1 > (limit := GUIDE_LINES.get(path.name, LONGEST_GUIDE)):
+                self.fault(path, limit + 1, f"{len(lines) - 1} lines; at most {limit}")
+            for number, line in enumerate(lines, 1):
+                if line.startswith("```"):
+                    fenced = not fenced
+                if fenced:
+                    continue
+                told = re.sub(r"\]\([^)]*\)|`[^`]*`", "", line)
+                row = line.lstrip().startswith("|")
+                width, limit = (len(told), WIDEST_ROW) if row else (len(line), WIDEST_PROSE)
+                if width > limit:
+                    self.fault(path, number, f"{width} letters wide; at most {limit}")
+                for what, pattern in DATED.items():
+                    if match := re.search(pattern, told):
+                        self.fault(path, number, f'"{match[0]}" tells {what}')
+        path = self.source / "docs/glossary.md"
+        if path in pages:
+            terms = sum(line.startswith("| **") for line in self.lines(path))
+            if not 1 <= terms <= TERMS_OF_THE_GLOSSARY:
+                self.fault(path, 1, f"{terms} terms; at most {TERMS_OF_THE_GLOSSARY}")
+        for name in GUIDE_LINES:
+            if not (self.source / "docs" / name).exists():
+                self.faults.append(f"{pathlib.Path(__file__).name}: there is no guide {name} any more")
+
     # ---- commands
 
     def check_commands(self):
@@ -499,7 +515,7 @@ class Documents:
                 self.write_scenes(path, work)
                 listed = list(self.commands(path))
                 # Commands in the running text count when they name a scene of the examples.
-                listed += [(n, s) for n, s in self.spans(path) if re.match(r"ringwatch (run|compare) examples/\S+\.toml", s)]
+                listed += [(n, s) for n, s in self.spans(path) if re.match(r"ringwatch (run|compare|suggest|advise|scale-mass) examples/\S+\.toml", s)]
                 for line, command in listed:
                     first = command.split()[0]
                     if first == "export" or first == "ringwatch-check" and not checker.exists():
@@ -519,10 +535,6 @@ class Documents:
                     outputs[command] = result.stdout
                     if result.returncode != status:
                         self.fault(path, line, f"`{run}` ends with {result.returncode}, not {status}: {result.stderr.strip()}")
-                    for study in re.findall(r"^ringwatch verify (\w+)", command):
-                        test = self.source / STUDY_TESTS.get(study, "-")
-                        if run == "true" and (not test.exists() or "StudyEffort::quick" not in test.read_text(encoding="utf-8")):
-                            self.fault(path, line, f"no test runs the study {study}")
         for path in self.paths:
             if path.parent != self.source / "docs/reference":  # made from the program; reference_test.py compares them
                 self.check_texts(path, outputs)
@@ -588,7 +600,8 @@ def main():
     documents = Documents(source, program)
     if sys.argv[4:]:
         documents.paths = [source / page for page in sys.argv[4:]]
-    {"links": documents.check_links, "lists": documents.check_lists, "words": documents.check_words, "commands": documents.check_commands}[check]()
+    {"links": documents.check_links, "lists": documents.check_lists, "words": documents.check_words, "guides": documents.check_guides,
+     "commands": documents.check_commands}[check]()
     print("\n".join(documents.faults) or f"{check}: no fault in {len(documents.paths)} documents")
     return 1 if documents.faults else 0
 
