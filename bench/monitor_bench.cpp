@@ -25,6 +25,7 @@
 #include <ringwatch/monitor/critical_step.h>
 #include <ringwatch/monitor/incremental/incremental_nodal_bound.h>
 #include <ringwatch/monitor/incremental/moved_bound.h>
+#include <ringwatch/monitor/incremental/rest_bound.h>
 #include <ringwatch/monitor/incremental/run_certificate.h>
 #include <ringwatch/monitor/incremental/work_account.h>
 #include <ringwatch/monitor/metrics/metrics.h>
@@ -276,9 +277,11 @@ void watchedRun(benchmark::State& state, const Case& c, int split, double jitter
 }
 
 /// How far an upper bound that is kept along a run lies above the highest eigenvalue, in the step, and what it takes
-/// over the step's force: the nodal bound that moves with the body, which may evaluate a five hundredth of the elements
-/// exactly each step, or that of validity balls with a budget of 0.1.
-void keptBound(benchmark::State& state, const Case& c, int split, const Pull& pull, bool moved) {
+/// over the step's force: that of validity balls with a budget of 0.1, the nodal bound that moves with the body, which
+/// may evaluate a five hundredth of the elements exactly each step, or that at rest, which evaluates nothing.
+enum class Kept { balls, moved, rest };
+constexpr auto keptNames = nameTable<Kept>({{Kept::balls, "balls"}, {Kept::moved, "moved"}, {Kept::rest, "rest"}});
+void keptBound(benchmark::State& state, const Case& c, int split, const Pull& pull, Kept by) {
   Body body = pulledBar(c, split, jittered, pull);
   BodySystem system(body);
   SymplecticEuler integrator;
@@ -290,6 +293,12 @@ void keptBound(benchmark::State& state, const Case& c, int split, const Pull& pu
     WorkAccount account(body, 0.1);
     IncrementalNodalBound balls(body, {}, &account);
     MovedBound moving(body);
+    RestBound resting(body);
+    if (by == Kept::rest) {
+      NodalBound weights(body);
+      weights.evaluate(body.mesh().X, 12);
+      resting.start(weights);
+    }
     State at = system.initialState();
     StepEvaluation evaluation, plain;
     Body::Workspace workspace;
@@ -298,7 +307,9 @@ void keptBound(benchmark::State& state, const Case& c, int split, const Pull& pu
     for (int step = 0; step <= pull.steps; ++step) {
       const double begin = cpuSeconds();
       double bound;
-      if (moved) {
+      if (by == Kept::rest) {
+        bound = resting.update(at.x, &evaluation, 0, 0).value;
+      } else if (by == Kept::moved) {
         moving.update(at.x, &evaluation);
         bound = moving.improve(at.x, 0, body.mesh().elementCount() / partOfElements).value;
       } else {
@@ -312,7 +323,8 @@ void keptBound(benchmark::State& state, const Case& c, int split, const Pull& pu
         kept += between - begin - (end - between);
         force += end - between;
         visited += static_cast<double>(moving.statistics().visited);
-        evaluated += static_cast<double>(moved ? moving.statistics().evaluated : balls.statistics().evaluated);
+        // Of those that are not updated it is zero.
+        evaluated += static_cast<double>(moving.statistics().evaluated + balls.statistics().evaluated);
       }
       if (step % (pull.steps / looks) == 0)
         above.push_back(1 - std::sqrt(globalFrequency(body, at.x, 1e-4).lambda / bound));
@@ -456,11 +468,11 @@ void addKeptBounds() {
   for (const auto& [element, cut] : {std::pair{"tet4", 5}, {"tet4", 6}, {"hex8", 1}, {"wedge6", 2}, {"pyramid5", 6}})
     for (const char* law : {"stvk", "neo-hookean"})
       for (Pull pull : {slowPull, fastPull, twist})
-        for (const bool moved : {false, true}) {
+        for (const auto& kept : keptNames) {
           const Case c{element, 20000, law, 1};
           pull.steps = 400;
-          addRun(joinText("kept/", moved ? "moved" : "balls", "/", pull.name, "/", cut, "_a_cell/", c.name()),
-                 [=, of = cut](benchmark::State& state) { keptBound(state, c, of, pull, moved); });
+          addRun(joinText("kept/", kept.name, "/", pull.name, "/", cut, "_a_cell/", c.name()),
+                 [=, of = cut, by = kept.value](benchmark::State& state) { keptBound(state, c, of, pull, by); });
         }
 }
 

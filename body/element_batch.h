@@ -110,6 +110,11 @@ class ElementBatch final : public ElementBlock {
     for (int lane = 0; lane < lanes; ++lane) drift[lane] = laneOf(all, lane);
   }
 
+  bool principalTangentAt(const P (&stretches)[3], PrincipalTangent<P>& tangent) const override {
+    if constexpr (Geometry::offersMean)
+      if (geometry_.hasMean()) return false;
+    return principalTangent(law_, stretches, tangent);
+  }
   void laplacianOf(const std::int32_t* elements, double* L, double* rounding) const override {
     geometry_.laplacianOf(elements, L, rounding);
   }
@@ -245,6 +250,7 @@ class ElementBatch final : public ElementBlock {
     if constexpr (damped) bulk = *evaluation.bulk;
     const bool stores = wantsForce ? !alongForce && evaluation.energy : evaluation.visitor != nullptr;
     const BatchBalls* const balls = evaluation.balls;
+    const BatchMotion* const motion = evaluation.motion;
     alignas(64) double gradients[9 * Geometry::maxPoints * lanes];
     for (std::int32_t batch = first; batch < last; ++batch) {
       P position[n][3], force[n][3];
@@ -256,13 +262,17 @@ class ElementBatch final : public ElementBlock {
       [[maybe_unused]] P energy(0.0);
       BatchBalls::OfBatch ball;
       if (balls) ball.start(*balls, batch, geometry_.pointCount());
+      BatchMotion::OfBatch moved;
+      if (motion) moved.start(*motion, batch);
       for (int q = 0; q < geometry_.pointCount(); ++q, point += Geometry::stride, ahead += Geometry::stride) {
         Geometry::template prefetch<Geometry::stride>(ahead);
         const Matrix3<P> J1 = Geometry::inverseJacobian(point), D = x(q), F = D * J1;
         if (stores)
           for (int i = 0; i < 9; ++i) F.m[i].store(gradients + (9 * q + i) * lanes);
-        if constexpr (!sharesStrain || !wantsForce)
+        if constexpr (!sharesStrain || !wantsForce) {
           if (balls) ball.add(F);
+          if (motion) moved.add(F);
+        }
         if constexpr (!wantsForce)
           if (evaluation.energy) energy += Geometry::weight(point) * law.energy(F);
         if constexpr (alongForce) energy += Geometry::weight(point) * law.energy(F);
@@ -272,6 +282,7 @@ class ElementBatch final : public ElementBlock {
             P traceOfStrain;
             stress = law.stress(F, traceOfStrain);
             if (balls) ball.add(F, traceOfStrain);
+            if (motion) moved.add(F, traceOfStrain);
           } else {
             stress = law.stress(F);
           }
@@ -294,6 +305,7 @@ class ElementBatch final : public ElementBlock {
         addEnergy(batch, energy, position, evaluation.energy);
       }
       if (balls) balls->left[batch] = ball.left();
+      if (motion) moved.finish(*motion, batch);
       if constexpr (!wantsForce)
         if (evaluation.visitor) evaluation.visitor->visit(batch, gradients);
     }

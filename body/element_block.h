@@ -10,10 +10,12 @@
 #include <ringwatch/base/aligned.h>
 #include <ringwatch/base/pack.h>
 #include <ringwatch/body/batch_balls.h>
+#include <ringwatch/body/batch_motion.h>
 #include <ringwatch/body/bulk_viscosity.h>
 #include <ringwatch/body/element_operators.h>
 #include <ringwatch/body/element_tangents.h>
 #include <ringwatch/elements/hourglass.h>
+#include <ringwatch/materials/principal_tangent.h>
 #include <ringwatch/materials/registry.h>
 #include <ringwatch/meshes/mesh.h>
 
@@ -31,10 +33,11 @@ class GradientVisitor {
 
 /// What a pass over batches of elements gives. What is not asked for is not computed.
 struct BatchEvaluation {
-  double* slots = nullptr;             ///< the internal force, N, is added into the slots of the patch
-  double* energy = nullptr;            ///< strain energy, J, is added lane by lane: energy[lanes]
-  GradientVisitor* visitor = nullptr;  ///< sees the deformation gradients, in a pass without forces
-  const BatchBalls* balls = nullptr;   ///< the deformation gradients are compared with them
+  double* slots = nullptr;              ///< the internal force, N, is added into the slots of the patch
+  double* energy = nullptr;             ///< strain energy, J, is added lane by lane: energy[lanes]
+  GradientVisitor* visitor = nullptr;   ///< sees the deformation gradients, in a pass without forces
+  const BatchBalls* balls = nullptr;    ///< the deformation gradients are compared with them
+  const BatchMotion* motion = nullptr;  ///< the same of the centres of groups
   /// Rows of the velocities, of a block whose elements damp: their damping force is added to the internal force.
   const double* velocities = nullptr;
   double* dampingPower = nullptr;       ///< with velocities: of that force, W, is added lane by lane: power[lanes]
@@ -75,6 +78,9 @@ class ElementBlock : public ElementTangents {
   /// Deformation gradients at positions x of any elements, one a lane (-1: none), F[(q * 9 + i) * lanes + lane] row by
   /// row, q the quadrature point, and how fast the tangent can grow from there, drift[lane].
   virtual void deformationOf(const std::int32_t* elements, const double* x, double* F, TangentDrift* drift) const = 0;
+  /// principalTangent() of the law, for a pack of stretches. False, and nothing written, where the law has none and of
+  /// rules with a share at the mean gradient.
+  virtual bool principalTangentAt(const NativePack (&)[3], PrincipalTangent<NativePack>&) const { return false; }
   /// Least determinant of F over the quadrature points of each element of a batch: determinants[lane].
   virtual void minimumDeterminantBatch(std::int32_t batch, const double* x, double* determinants) const = 0;
 
@@ -130,11 +136,12 @@ class PatchPass {
   const Patch& patch() const { return block_.layout().patches[patch_]; }
   /// Positions of the patch's nodes, as ElementBlock::gatherRows gives them.
   const double* rows() const { return rows_; }
-  /// Computes what is wanted of all batches, and compares their deformation gradients with balls.
-  void run(const BatchBalls* balls = nullptr) const {
-    if (!all_.slots && !all_.energy && !balls) return;
+  /// Computes what is wanted of all batches, and compares their deformation gradients with balls or centres of groups.
+  void run(const BatchBalls* balls = nullptr, const BatchMotion* motion = nullptr) const {
+    if (!all_.slots && !all_.energy && !balls && !motion) return;
     BatchEvaluation own = all_;
     own.balls = balls;
+    own.motion = motion;
     block_.evaluateBatches(patch().batchBegin, patch().batchEnd, rows_, own);
   }
   /// The visitor sees the deformation gradients of a batch.

@@ -82,6 +82,9 @@ class UniformStrainBatch final : public ElementBlock {
     for (int lane = 0; lane < lanes; ++lane) drift[lane] = laneOf(all, lane);
   }
 
+  bool principalTangentAt(const P (&stretches)[3], PrincipalTangent<P>& tangent) const override {
+    return principalTangent(law_, stretches, tangent);
+  }
   void laplacianOf(const std::int32_t* elements, double* L, double* rounding) const override {
     Stored at;
     geometry_.gather(elements, at);
@@ -146,6 +149,12 @@ class UniformStrainBatch final : public ElementBlock {
         ball.start(*evaluation.balls, batch, 1);
         ball.add(F);
         evaluation.balls->left[batch] = ball.left();
+      }
+      if (evaluation.motion) {
+        BatchMotion::OfBatch moved;
+        moved.start(*evaluation.motion, batch);
+        moved.add(F);
+        moved.finish(*evaluation.motion, batch);
       }
       if (evaluation.visitor) {
         alignas(64) double gradient[9 * lanes];

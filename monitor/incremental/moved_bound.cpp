@@ -12,6 +12,7 @@
 #include <ringwatch/body/discrete_forces.h>
 #include <ringwatch/body/element_damping.h>
 #include <ringwatch/monitor/bounds/scaled_tangent.h>
+#include <ringwatch/monitor/incremental/laplacian_majorants.h>
 
 namespace ringwatch {
 namespace {
@@ -25,8 +26,6 @@ constexpr double majorantError = 64 * unitRoundoff;
 constexpr double motionRounding = 1e-12;
 /// Kept free of an eigenvalue that is wanted, for bounds of nodes in single precision, relative.
 constexpr double levelRounding = 1e-6;
-/// Iterations for the vector that scales the Laplacian (Collatz-Wielandt): later ones gain little on any mesh.
-constexpr int laplacianSweeps = 12;
 /// A value below which an element has no stiffness, N/m.
 constexpr double smallestValue = 1e-200;
 /// Batches whose sums are held in memory at once.
@@ -423,51 +422,24 @@ void MovedBound::settle(std::span<const std::int32_t> nodes) {
 }
 
 void MovedBound::findLaplacian() {
-  const std::int32_t count = body_.nodeCount();
-  Eigen::VectorXd u = Eigen::VectorXd::Ones(count), product(count);
-  for (std::int32_t i = 0; i < count; ++i)
-    if (isHeld(body_, i)) u[i] = 0;
-  // Σ_b |L_ab| u_b of each element at its nodes: take(batch, place of the first lane, a, sums).
-  const auto forEachRow = [&](const auto& take) {
-    for (std::size_t b = 0; b < body_.blocks().size(); ++b) {
-      const ElementBlock& block = *body_.blocks()[b];
-      const int n = block.nodesPerElement();
-      AlignedVector<P> L(static_cast<std::size_t>(n * n)), T(static_cast<std::size_t>(n));
-      for (std::int32_t batch = 0; batch < block.layout().batchCount(); ++batch) {
-        const std::int32_t* elements = block.layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes;
-        if (elements[0] < 0) continue;
-        block.laplacianOf(elements, reinterpret_cast<double*>(L.data()), reinterpret_cast<double*>(T.data()));
-        for (int lane = 0; lane < lanes && elements[lane] >= 0; ++lane) {
-          const auto nodes = block.nodesOf(elements[lane]);
-          for (int a = 0; a < n; ++a) {
-            double sum = 0;
-            for (int c = 0; c < n; ++c)
-              sum += (std::abs(L[a * n + c][lane]) + std::sqrt(T[a][lane] * T[c][lane])) * u[nodes[c]];
-            take(b, (static_cast<std::size_t>(batch) * static_cast<std::size_t>(n) + a) * lanes + lane, nodes[a], sum);
-          }
-        }
+  const std::vector<std::vector<double>> majorants = laplacianMajorants(body_);
+  std::vector<double> gamma(nodes_.size(), 0.0);
+  for (std::size_t b = 0; b < majorants.size(); ++b) {
+    const ElementBlock& block = *body_.blocks()[b];
+    const auto n = static_cast<std::size_t>(block.nodesPerElement());
+    for (std::size_t place = 0; place < block.layout().elements.size(); ++place) {
+      if (block.layout().elements[place] < 0) continue;
+      const auto nodes = block.nodesOf(block.layout().elements[place]);
+      for (std::size_t a = 0; a < n; ++a) {
+        const std::size_t at = (place / lanes * n + a) * lanes + place % lanes;
+        RoundedUp<Bfloat16>& c = elements_[b].laplacian[at];
+        c = majorants[b][at];
+        gamma[nodes[a]] += c;
       }
     }
-  };
-  for (int sweep = 0; sweep < laplacianSweeps; ++sweep) {
-    product.setZero();
-    forEachRow([&](std::size_t, std::size_t, std::int32_t node, double sum) { product[node] += sum; });
-    double highest = 0;
-    for (std::int32_t i = 0; i < count; ++i)
-      if (u[i] > 0 && body_.lumpedMass()[i] > 0)
-        highest = std::max(highest, product[i] / (body_.lumpedMass()[i] * u[i]));
-    // Half a step of the power method, with a share of what was: so vectors neither swing nor vanish.
-    for (std::int32_t i = 0; i < count; ++i)
-      if (u[i] > 0 && body_.lumpedMass()[i] > 0) u[i] = 0.5 * (u[i] + product[i] / (body_.lumpedMass()[i] * highest));
   }
-  for (Node& node : nodes_) node.gamma = 0;
-  std::vector<double> gamma(static_cast<std::size_t>(count), 0.0);
-  forEachRow([&](std::size_t b, std::size_t at, std::int32_t node, double sum) {
-    RoundedUp<Bfloat16>& c = elements_[b].laplacian[at];
-    c = u[node] > 0 ? sum / u[node] * (1 + motionRounding) : 0;
-    gamma[node] += c;
-  });
-  for (std::int32_t i = 0; i < count; ++i) nodes_[i].gamma = -detail::singleAtOrBelow(-gamma[i] * (1 + motionRounding));
+  for (std::size_t i = 0; i < nodes_.size(); ++i)
+    nodes_[i].gamma = -detail::singleAtOrBelow(-gamma[i] * (1 + motionRounding));
 }
 
 void MovedBound::build(NodeVectorsView x, double wanted) {
