@@ -494,7 +494,7 @@ try:
     import meshio
     import numpy as np
 
-    for kind in ("wedge15", "pyramid13"):  # which meshio 5.0 reads and writes, without knowing their dimension
+    for kind in "wedge15 pyramid13".split():  # which meshio 5.0 reads and writes, without knowing their dimension
         meshio._mesh.topological_dimension.setdefault(kind, 3)
     os.chdir(os.path.dirname(source))
     with contextlib.redirect_stdout(heard), contextlib.redirect_stderr(heard):

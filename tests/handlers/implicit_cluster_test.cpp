@@ -1,11 +1,8 @@
 // The matrix of an implicit cluster against assembled tangents, kept current along motions, and what its solvers leave.
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 #include <limits>
-#include <sstream>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -119,26 +116,6 @@ TEST(ImplicitCluster, SeesPositionsThatAreNotNumbersAtOnce) {
       EXPECT_FALSE(cluster.follow(x));
       EXPECT_EQ(cluster.matrix(), before);
     }
-}
-
-TEST(ClusterMatrixTolerance, IsWhatTheDocumentsSay) {
-  const auto read = [](const char* path) {
-    std::ifstream file(std::string(RINGWATCH_SOURCE_DIR) + "/" + path);
-    std::string text, line;
-    while (std::getline(file, line)) {
-      if (line.starts_with("/// ")) line.erase(0, 3);
-      text += line.substr(std::min(line.find_first_not_of(' '), line.size())) + " ";  // wrapped lines are one
-    }
-    return text;
-  };
-  std::ostringstream angles, both;
-  angles << leastRotation << " to " << mostRotation << " rad";
-  both << "h² λ θ² = " << std::lround(3 * rotationShare) << "/3, λ the element's highest eigenvalue, between "
-       << leastRotation << " and " << mostRotation << " rad";
-  EXPECT_DOUBLE_EQ(3 * rotationShare, std::round(3 * rotationShare)) << "written as a third in the document";
-  EXPECT_THAT(read("docs/handlers.md"), ::testing::HasSubstr(both.str()));
-  EXPECT_THAT(read("docs/gpu.md"), ::testing::HasSubstr("turned by " + angles.str()));
-  EXPECT_THAT(read("gpu/imex/device_imex.h"), ::testing::HasSubstr("turned by " + angles.str()));
 }
 
 struct SolveCase {
