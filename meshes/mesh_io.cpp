@@ -71,7 +71,7 @@ constexpr MeshFormatEntry formatsOfLibrary[] = {
      detail::readInp,
      detail::startsWithDeck},
     {.info = {".exo/.med/.xdmf/.mesh/.bdf/.unv", "what meshio or gmsh reads",
-              "Exodus, MED, XDMF, Medit, Nastran, Netgen and SU2 by python3-meshio, UNV by gmsh, with their groups",
+              "Exodus, MED, XDMF, Medit, Nastran, Netgen and SU2 by python3-meshio, with their groups, and UNV by gmsh",
               false}},  // `read` below finds the one of them
 };
 

@@ -47,9 +47,10 @@ void RunOutput::beginFrames() {
 
 void RunOutput::open() {
   if (open_) return;
-  if (writes_) beginFiles();
+  // What may be refused comes first: former results stay as they are then.
   beginFrames();
   open_ = true;
+  if (writes_) beginFiles();
 }
 
 void RunOutput::beginFiles() {

@@ -159,8 +159,9 @@ TEST_F(Loads, MoveByATable) {
     const std::size_t last = history.rows.size() - 1;
     EXPECT_EQ(history.number(0, "kinetic_J"), 0);
     EXPECT_NEAR(history.number(last, "kinetic_J"), 0.5 * 0.32 * 0.8, 8e-16);
-    EXPECT_NEAR(history.number(last, "external_work_J"), 0.5 * 0.32 * 0.8, 9e-16);
-    EXPECT_LT(largestImbalance(), 3.2e-15);
+    // Work is summed up over steps and nodes, some 4500 of them: their rounding is at most 4500 ulp of it.
+    EXPECT_NEAR(history.number(last, "external_work_J"), 0.5 * 0.32 * 0.8, 1e-14);
+    EXPECT_LT(largestImbalance(), 1e-13);
   }
 }
 
