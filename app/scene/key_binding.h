@@ -112,7 +112,7 @@ std::string tomlOf(const Value& value) {
 
 /// Declares a key that is stored in a member. rest: what its type and its default do not say.
 template <class Item, class Value>
-BoundKey<Item> key(std::string name, Access<Item, Value> member, std::string help, SceneKey rest = {}) {
+BoundKey<Item> key(const std::string& name, Access<Item, Value> member, std::string help, SceneKey rest = {}) {
   rest.key = name;
   rest.type = detail::sceneTypeOf<Value>();
   rest.help = std::move(help);
@@ -179,14 +179,14 @@ BoundKey<Item> choice(std::string name, Enum Item::*member, const Table& names, 
 /// The keys `where` and `set` of nodes, or others that begin with a prefix.
 template <class Item, class Nodes>
 BoundKeys<Item> nodeKeys(Nodes Item::*nodes, const std::string& prefix = "",
-                         std::string help =
+                         const std::string& help =
                              "condition on the reference position, e.g. \"x < 1e-6 and y > 0.01\", "
                              "\"all\", or \"set:NAME\"") {
   const std::string where = prefix + "where", set = prefix + "set";
   const auto store = [nodes, prefix](const SceneTable& table, Item& item) {
     if (table.given(prefix + "where") || table.given(prefix + "set")) item.*nodes = selectionOf(table, prefix);
   };
-  return {{{.key = where, .type = SceneType::text, .help = std::move(help)}, store},
+  return {{{.key = where, .type = SceneType::text, .help = help}, store},
           {{.key = set,
             .type = SceneType::text,
             .help = prefix.empty() ? "named node set of the mesh, instead of where; \"#3,7\" are the nodes with these "
@@ -227,7 +227,7 @@ void store(const BoundKeys<Item>& keys, const SceneTable& table, Item& item) {
 
 /// Declares [name], whose values are members of the scene.
 inline SceneSection plainSection(SceneSection section, std::initializer_list<BoundKeys<Scene>> parts,
-                                 std::function<void(const SceneTable&, Scene&)> check = {}) {
+                                 const std::function<void(const SceneTable&, Scene&)>& check = {}) {
   section.read = [keys = detail::declare(section, parts)](const SceneTable& table, Scene& scene) {
     detail::store(keys, table, scene);
   };
@@ -240,10 +240,10 @@ inline SceneSection plainSection(SceneSection section, std::initializer_list<Bou
 template <class Item>
 SceneSection optionalSection(SceneSection section, std::optional<Item> Scene::*member,
                              std::initializer_list<BoundKeys<Item>> parts,
-                             std::type_identity_t<std::function<void(const SceneTable&, Scene&, Item&)>> check) {
+                             const std::type_identity_t<std::function<void(const SceneTable&, Scene&, Item&)>>& check) {
   section.read = [member, keys = detail::declare(section, parts)](const SceneTable& table, Scene& scene) {
     if (std::ranges::any_of(table.entries, [](const auto& entry) { return entry.second.given; }))
-      detail::store(keys, table, (scene.*member).emplace());
+      detail::store(keys, table, *(scene.*member = Item{}));
   };
   section.check = [member, check](std::span<const SceneTable> tables, Scene& scene) {
     if (scene.*member) check(tables.front(), scene, *(scene.*member));
@@ -256,8 +256,8 @@ SceneSection optionalSection(SceneSection section, std::optional<Item> Scene::*m
 template <class Item>
 SceneSection listSection(SceneSection section, std::vector<Item> Scene::*list,
                          std::initializer_list<BoundKeys<Item>> parts,
-                         std::type_identity_t<std::function<void(const SceneTable&, Scene&, Item&)>> check = {},
-                         std::function<void(std::span<const SceneTable>, Scene&)> together = {}) {
+                         const std::type_identity_t<std::function<void(const SceneTable&, Scene&, Item&)>>& check = {},
+                         const std::function<void(std::span<const SceneTable>, Scene&)>& together = {}) {
   section.list = !section.alsoList;
   section.read = [list, keys = detail::declare(section, parts)](const SceneTable& table, Scene& scene) {
     Item& item = (scene.*list).emplace_back();

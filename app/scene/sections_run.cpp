@@ -20,7 +20,7 @@ std::vector<std::string> andNone(std::vector<std::string> names, bool first) {
 }
 
 /// A key that names an entry of a registry, and leaves its member empty for "none".
-BoundKey<Scene> nameOrNone(std::string name, std::string Scene::*member, std::string help, SceneKey rest) {
+BoundKey<Scene> nameOrNone(const std::string& name, std::string Scene::*member, std::string help, SceneKey rest) {
   rest.fallback = "\"none\"";
   BoundKey<Scene> bound = key(name, member, std::move(help), std::move(rest));
   bound.store = [name, member](const SceneTable& table, Scene& scene) {
