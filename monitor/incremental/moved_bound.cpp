@@ -39,10 +39,6 @@ double largestOf(const std::vector<float>& numbers) {
 bool isHeld(const Body& body, std::int32_t node) {
   return body.constraints().any() && body.constraints().freeComponents(node) == 0;
 }
-bool isPartlyHeld(const Body& body, std::int32_t node) {
-  const int free = body.constraints().any() ? body.constraints().freeComponents(node) : 3;
-  return free != 0 && free != 3;
-}
 
 }  // namespace
 
@@ -85,12 +81,10 @@ void MovedBound::prepare() {
     const ElementBlock& block = *body.blocks()[b];
     const std::size_t places = block.layout().elements.size(), points = block.rule().points.size();
     const DampedBlock* damped = body.elementDamping() ? body.elementDamping()->blocks()[b] : nullptr;
-    const QuadratureRule& rule = block.rule();
     const LawInfo law = block.material().info();
-    const bool stretches = std::holds_alternative<StVenantKirchhoff>(block.material().law) &&
-                           !block.material().outside && !rule.uniformStrain && rule.shares.meanLambda == 0 &&
-                           rule.shares.meanMu == 0 && block.material().restModuli().lambda >= 0;
-    const Motion ofBlock = damped || !law.objective ? Motion::none : stretches ? Motion::stretch : Motion::rotation;
+    const Motion ofBlock = damped || !law.objective ? Motion::none
+                           : stretchesFreely(block) ? Motion::stretch
+                                                    : Motion::rotation;
     Elements own{ValidityBalls(block), ofBlock};
     own.rests.assign(places, ofBlock == Motion::none);
     own.anchor.resize(9 * points * places);

@@ -1,7 +1,10 @@
 #pragma once
+#include <variant>
+
 #include <ringwatch/base/math.h>
 #include <ringwatch/base/matrix3.h>
 #include <ringwatch/base/pack.h>
+#include <ringwatch/body/body.h>
 #include <ringwatch/materials/lame.h>
 #include <ringwatch/materials/rotation.h>
 #include <ringwatch/monitor/small/extreme_eigenvalues.h>
@@ -10,6 +13,19 @@
 /// The arithmetic of majorants that move with a body (Theorem 97, docs/theory/moved_majorants.md), for an element or a
 /// pack of them.
 namespace ringwatch {
+
+/// Whether some components of a node are held and some are free: what moves must keep them apart.
+inline bool isPartlyHeld(const Body& body, std::int32_t node) {
+  const int free = body.constraints().any() ? body.constraints().freeComponents(node) : 3;
+  return free != 0 && free != 3;
+}
+/// Whether a majorant of the block's elements moves with any T: St. Venant-Kirchhoff with one gradient a point.
+inline bool stretchesFreely(const ElementBlock& block) {
+  const QuadratureRule& rule = block.rule();
+  return std::holds_alternative<StVenantKirchhoff>(block.material().law) && !block.material().outside &&
+         !rule.uniformStrain && rule.shares.meanLambda == 0 && rule.shares.meanMu == 0 &&
+         block.material().restModuli().lambda >= 0;
+}
 
 /// T D Tᵀ.
 template <class S>

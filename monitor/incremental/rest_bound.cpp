@@ -5,7 +5,6 @@
 #include <cstring>
 #include <iterator>
 #include <limits>
-#include <variant>
 
 #include <Eigen/Eigenvalues>
 
@@ -48,16 +47,6 @@ Symmetric3<double> productWithTranspose(const Matrix3<double>& T) {
   for (int i = 0; i < 3; ++i)
     for (int j = i; j < 3; ++j) product(i, j) = T(i, 0) * T(j, 0) + T(i, 1) * T(j, 1) + T(i, 2) * T(j, 2);
   return product;
-}
-bool isPartlyHeld(const Body& body, std::int32_t node) {
-  const int free = body.constraints().any() ? body.constraints().freeComponents(node) : 3;
-  return free != 0 && free != 3;
-}
-/// St. Venant-Kirchhoff moves with any T (Theorem 97) where each point has the law alone.
-bool stretchesWith(const ElementBlock& block) {
-  const QuadratureRule& rule = block.rule();
-  return std::holds_alternative<StVenantKirchhoff>(block.material().law) && !block.material().outside &&
-         !rule.uniformStrain && block.material().restModuli().lambda >= 0;
 }
 const NativePack (&atRest())[3] {
   static const NativePack ones[3] = {NativePack(1.0), NativePack(1.0), NativePack(1.0)};
@@ -133,7 +122,7 @@ void RestBound::index() {
     wantsSum_.emplace_back(block->layout().batchCount());
     PrincipalTangent<NativePack> tangent;
     block->principalTangentAt(atRest(), tangent);
-    rest_.push_back({tangent.normal[0][1][0], tangent.flip[0], stretchesWith(*block), block->rule().uniformStrain,
+    rest_.push_back({tangent.normal[0][1][0], tangent.flip[0], stretchesFreely(*block), block->rule().uniformStrain,
                      block->rule().uniformStrain ? 1 : static_cast<int>(block->rule().points.size())});
   }
   for (std::size_t g = 0; g < groups_.size(); ++g)
@@ -540,8 +529,6 @@ double RestBound::lowestBound(NodeVectorsView x, double enough, std::int64_t mos
   for (double known = 0;;) {
     Region& top = *std::max_element(regions_.begin(), regions_.end(),
                                     [](const Region& a, const Region& b) { return a.bound < b.bound; });
-    const Group& first = groups_[top.begin];
-    highest_ = {first.block, body_.blocks()[first.block]->layout().elements[first.begin * lanes]};
     const bool spent = static_cast<std::int64_t>(seen_.size()) >= most;
     if (top.bound <= enough || (spent && top.settledAt < 0 && top.bound <= (1 + policy_.same) * known))
       return top.bound;

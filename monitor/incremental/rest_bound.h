@@ -37,8 +37,6 @@ class RestBound {
   bool started() const { return started_ && bodyVersion_ == body_.version(); }
   /// Makes the bound at rest with these weights, which are evaluated there once. Infinite where that is not finite.
   void start(NodalBound weights);
-  /// An element of the region that was bounded highest.
-  ElementRef highest() const { return highest_; }
 
   /// The bound at positions x (3×N, m); infinite where δ is beyond what is known of a law, NaN where an F is not
   /// finite. Unless nullptr, `evaluation` is filled in at x by the pass that measures the groups; its visitor is not
@@ -52,8 +50,7 @@ class RestBound {
 
   template <class Archive>
   void archive(Archive& a) {
-    a(started_, states_, highest_, groups_, motions_, centres_, restHighest_, laplacianHighest_, packBegin_, parts_,
-      regions_);
+    a(started_, states_, groups_, centres_, restHighest_, laplacianHighest_, packBegin_, parts_, regions_);
     archiveVersion(a, bodyVersion_, body_.version());
   }
 
@@ -76,16 +73,12 @@ class RestBound {
     template <class Archive>
     void archive(Archive& a) {
       a(block, begin, end, follows, rounding, leastStretch, ofRest, beside, drift.kappa, drift.linear, drift.quadratic,
-        drift.negative, drift.radius, turn, negative, seenNegative, delta, stress, settled);
+        drift.negative, drift.radius, turn, negative, seenNegative);
     }
   };
   /// How a group moves its part of a node's sum: √α R and τ.
   struct Motion {
     double matrix[9], added;
-    template <class Archive>
-    void archive(Archive& a) {
-      a(matrix, added);
-    }
   };
   /// What a group has at a node: Σ l D and Σ c over the node's mass.
   struct Part {
@@ -112,7 +105,7 @@ class RestBound {
     std::int32_t settledAt;  // how many regions had been settled when its nodes were bounded; -1: they were not
     template <class Archive>
     void archive(Archive& a) {
-      a(begin, end, packBegin, packEnd, around, weight, weights, laplacian, bound, settledAt);
+      a(begin, end, packBegin, packEnd, around, weight, weights, laplacian);
     }
   };
 
@@ -145,7 +138,6 @@ class RestBound {
   RestBoundPolicy policy_;
   bool started_ = false;
   std::int64_t bodyVersion_ = 0;
-  ElementRef highest_{};
   std::vector<Group> groups_;
   std::vector<std::vector<std::int32_t>> groupOfBatch_;  // [block][batch]
   AlignedVector<double> centres_;
