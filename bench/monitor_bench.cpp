@@ -297,7 +297,7 @@ void keptBound(benchmark::State& state, const Case& c, int split, const Pull& pu
     if (by == Kept::rest) {
       NodalBound weights(body);
       weights.evaluate(body.mesh().X, 12);
-      resting.start(weights);
+      resting.start(std::move(weights));
     }
     State at = system.initialState();
     StepEvaluation evaluation, plain;
@@ -308,7 +308,7 @@ void keptBound(benchmark::State& state, const Case& c, int split, const Pull& pu
       const double begin = cpuSeconds();
       double bound;
       if (by == Kept::rest) {
-        bound = resting.update(at.x, &evaluation, 0, 0).value;
+        bound = resting.update(at.x, &evaluation, 0, body.mesh().elementCount() / partOfElements).value;
       } else if (by == Kept::moved) {
         moving.update(at.x, &evaluation);
         bound = moving.improve(at.x, 0, body.mesh().elementCount() / partOfElements).value;

@@ -1,70 +1,97 @@
 #pragma once
 #include <cstdint>
-#include <limits>
+#include <cstring>
 
 #include <ringwatch/base/matrix3.h>
 #include <ringwatch/base/pack.h>
+#include <ringwatch/base/short_floats.h>
 
 namespace ringwatch {
 
-/// How unevenly groups of batches have moved, found by a pass while it computes with the deformation gradients: how far
-/// those of each batch's elements, at all quadrature points, lie from the centre of its group, and their sum.
+/// How unevenly groups of batches have moved since a reference state, found by a pass while it computes with the
+/// deformation gradients: how far those of the elements, at all quadrature points, lie from G times the reference ones,
+/// with one G a group. In single precision, whose rounding is motionRounding times |F| + |G F'| at most.
 struct BatchMotion {
-  const double* centre;              ///< C of each group, row by row, and |C|²: [group][centreSize]
-  const std::int32_t* groupOfBatch;  ///< [batch]
-  double* farthest2;                 ///< [batch][lane]: becomes max |F - C|², Frobenius; not finite where an F is not
-  const std::uint8_t* wantsSum;      ///< [batch]: not zero where the sum is wanted
-  double* sum;                       ///< of F, of a pack of elements, row by row: [batch][9][lane]
+  /// What the pass does with a group: it takes G for the identity, or has Σ F as well.
+  enum Flags : std::uint8_t { still = 1, summed = 2 };
 
-  static constexpr std::ptrdiff_t centreSize = 10, placeOfSquare = 9;
-  static constexpr double dimensions = 3;  // tr I
+  const float* motion;               ///< G of each group over the reference's unit, row by row: [group][9]
+  const std::uint8_t* flags;         ///< [group]
+  const std::int32_t* groupOfBatch;  ///< [batch]
+  const std::int16_t* reference;     ///< F' in units: [batch][point][9][lane]
+  float unit;
+  std::int64_t points;  ///< of an element
+  /// [group][sizeOfGroup], zero before the pass: max |F - G F'|² (Frobenius) of a pack of elements, not finite where an
+  /// F is not, and Σ F at their first points, row by row.
+  float* measured;
+
+  static constexpr std::ptrdiff_t sizeOfGroup = 10 * nativeWidth;
+  static constexpr double motionRounding = 1e-6;
 
   /// The distances of a batch, point by point.
   class OfBatch {
    public:
     RINGWATCH_INLINE void start(const BatchMotion& motion, std::int32_t batch) {
-      centre_ = motion.centre + centreSize * motion.groupOfBatch[batch];
-      total_ =
-          motion.wantsSum[batch] != 0 ? motion.sum + static_cast<std::ptrdiff_t>(batch) * 9 * nativeWidth : nullptr;
-      if (total_)
-        for (int i = 0; i < 9; ++i) NativePack(0.0).store(total_ + i * nativeWidth);
+      const std::int32_t group = motion.groupOfBatch[batch];
+      unit_ = motion.unit;
+      motion_ = motion.motion + 9 * static_cast<std::ptrdiff_t>(group);
+      reference_ = motion.reference + 9 * nativeWidth * (static_cast<std::ptrdiff_t>(batch) * motion.points);
+      measured_ = motion.measured + sizeOfGroup * group;
+      still_ = (motion.flags[group] & still) != 0;
+      sums_ = (motion.flags[group] & summed) != 0;
+      farthest2_ = all_ = Floats{};
     }
     RINGWATCH_INLINE void add(const Matrix3<NativePack>& F) {
-      addSum(F);
-      NativePack sums[3] = {NativePack(0.0), NativePack(0.0), NativePack(0.0)};
-      for (int i = 0; i < 9; ++i) {
-        const NativePack d = F.m[i] - NativePack(centre_[i]);
-        sums[i % 3] += d * d;
+      Floats here[9], squares[3];
+      for (int i = 0; i < 9; ++i) here[i] = detail::singlesOf(F.m[i]);
+      if (sums_)
+        for (int i = 0; i < 9; ++i) store(load(measured_ + (i + 1) * nativeWidth) + here[i], (i + 1) * nativeWidth);
+      sums_ = false;
+      if (still_) {
+        for (int i = 0; i < 9; ++i) here[i] -= unit_ * reference(i);
+      } else {
+        for (int column = 0; column < 3; ++column) {
+          Floats there[3];
+          for (int k = 0; k < 3; ++k) there[k] = reference(3 * k + column);
+          for (int row = 0; row < 3; ++row)
+            for (int k = 0; k < 3; ++k) here[3 * row + column] -= motion_[3 * row + k] * there[k];
+        }
       }
-      note(sums[0] + sums[1] + sums[2]);
+      for (int row = 0; row < 3; ++row)
+        squares[row] = here[3 * row] * here[3 * row] + here[3 * row + 1] * here[3 * row + 1] +
+                       here[3 * row + 2] * here[3 * row + 2];
+      const Floats square = squares[0] + squares[1] + squares[2];
+      farthest2_ = farthest2_ > square ? farthest2_ : square;
+      all_ += square;
+      reference_ += 9 * nativeWidth;
     }
-    /// The same in half the operations where tr E = (|F|² - 3)/2 is known: |F - C|² = 2 (tr E - C:F) + |C|² + 3.
-    RINGWATCH_INLINE void add(const Matrix3<NativePack>& F, const NativePack& traceOfStrain) {
-      addSum(F);
-      NativePack sums[3] = {traceOfStrain, NativePack(0.0), NativePack(0.0)};
-      for (int i = 0; i < 9; ++i) sums[i % 3] -= F.m[i] * NativePack(centre_[i]);
-      note(NativePack(2.0) * (sums[0] + sums[1] + sums[2]) + NativePack(centre_[placeOfSquare] + dimensions));
-    }
-    RINGWATCH_INLINE void finish(const BatchMotion& motion, std::int32_t batch) const {
+    RINGWATCH_INLINE void finish() const {
+      const Floats before = load(measured_);
       // A comparison loses what is not a number; a sum does not.
-      const NativePack infinity(std::numeric_limits<double>::infinity());
-      select(all_ < infinity, farthest2_, all_)
-          .store(motion.farthest2 + static_cast<std::ptrdiff_t>(batch) * nativeWidth);
+      const Floats farthest = before > farthest2_ ? before : farthest2_;
+      store(farthest + (all_ - all_) + (before - before), 0);
     }
 
    private:
-    RINGWATCH_INLINE void addSum(const Matrix3<NativePack>& F) const {
-      if (!total_) return;
-      for (int i = 0; i < 9; ++i) (NativePack::load(total_ + i * nativeWidth) + F.m[i]).store(total_ + i * nativeWidth);
+    using Floats = detail::NativeFloats;
+    RINGWATCH_INLINE static Floats load(const float* from) {
+      Floats floats;
+      std::memcpy(&floats, from, sizeof floats);
+      return floats;
     }
-    RINGWATCH_INLINE void note(const NativePack& square) {
-      farthest2_ = math::max(farthest2_, square);
-      all_ += square;
+    RINGWATCH_INLINE Floats reference(int entry) const {
+      return __builtin_convertvector(detail::loadShorts(reference_ + entry * nativeWidth), Floats);
+    }
+    RINGWATCH_INLINE void store(const Floats& floats, std::ptrdiff_t at) const {
+      std::memcpy(measured_ + at, &floats, sizeof floats);
     }
 
-    const double* centre_;
-    double* total_;
-    NativePack farthest2_ = NativePack(0.0), all_ = NativePack(0.0);
+    const float* motion_;
+    const std::int16_t* reference_;
+    float unit_;
+    float* measured_;
+    bool still_, sums_;
+    Floats farthest2_, all_;
   };
 };
 

@@ -282,7 +282,7 @@ class ElementBatch final : public ElementBlock {
             P traceOfStrain;
             stress = law.stress(F, traceOfStrain);
             if (balls) ball.add(F, traceOfStrain);
-            if (motion) moved.add(F, traceOfStrain);
+            if (motion) moved.add(F);
           } else {
             stress = law.stress(F);
           }
@@ -305,7 +305,7 @@ class ElementBatch final : public ElementBlock {
         addEnergy(batch, energy, position, evaluation.energy);
       }
       if (balls) balls->left[batch] = ball.left();
-      if (motion) moved.finish(*motion, batch);
+      if (motion) moved.finish();
       if constexpr (!wantsForce)
         if (evaluation.visitor) evaluation.visitor->visit(batch, gradients);
     }

@@ -37,7 +37,7 @@ struct BatchEvaluation {
   double* energy = nullptr;             ///< strain energy, J, is added lane by lane: energy[lanes]
   GradientVisitor* visitor = nullptr;   ///< sees the deformation gradients, in a pass without forces
   const BatchBalls* balls = nullptr;    ///< the deformation gradients are compared with them
-  const BatchMotion* motion = nullptr;  ///< the same of the centres of groups
+  const BatchMotion* motion = nullptr;  ///< the same of the reference states of groups
   /// Rows of the velocities, of a block whose elements damp: their damping force is added to the internal force.
   const double* velocities = nullptr;
   double* dampingPower = nullptr;       ///< with velocities: of that force, W, is added lane by lane: power[lanes]
@@ -136,7 +136,7 @@ class PatchPass {
   const Patch& patch() const { return block_.layout().patches[patch_]; }
   /// Positions of the patch's nodes, as ElementBlock::gatherRows gives them.
   const double* rows() const { return rows_; }
-  /// Computes what is wanted of all batches, and compares their deformation gradients with balls or centres of groups.
+  /// Computes what is wanted of all batches, and compares their deformation gradients with balls or what they were.
   void run(const BatchBalls* balls = nullptr, const BatchMotion* motion = nullptr) const {
     if (!all_.slots && !all_.energy && !balls && !motion) return;
     BatchEvaluation own = all_;

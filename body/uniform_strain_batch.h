@@ -154,7 +154,7 @@ class UniformStrainBatch final : public ElementBlock {
         BatchMotion::OfBatch moved;
         moved.start(*evaluation.motion, batch);
         moved.add(F);
-        moved.finish(*evaluation.motion, batch);
+        moved.finish();
       }
       if (evaluation.visitor) {
         alignas(64) double gradient[9 * lanes];

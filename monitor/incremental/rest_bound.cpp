@@ -3,62 +3,98 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <iterator>
 #include <limits>
+#include <utility>
 
-#include <Eigen/Eigenvalues>
-
-#include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/parallel.h>
 #include <ringwatch/base/sort_unique.h>
 #include <ringwatch/body/element_damping.h>
 #include <ringwatch/materials/rotation.h>
+#include <ringwatch/monitor/bounds/scaled_tangent.h>
 #include <ringwatch/monitor/incremental/laplacian_majorants.h>
 #include <ringwatch/monitor/incremental/moved_majorant.h>
+#include <ringwatch/monitor/incremental/validity_balls.h>
 
 namespace ringwatch {
 namespace {
 
-/// Of weights in single precision, and of all that is summed up in double precision after them, relative.
-constexpr double weightRounding = 1e-6, boundRounding = 1e-9;
+/// Of sums of many products in double precision, relative.
+constexpr double boundRounding = 1e-9;
 /// What a group adds of which nothing is known, Pa: beyond any modulus, and a number, which times no weight is nothing.
 constexpr double unknown = 1e200;
 /// A bound from which it is of something unknown, rad²/s².
-constexpr double boundOfUnknown = 1e150;
+constexpr double boundOfUnknown = 1e36;
 /// What a thread takes at a time.
 constexpr int groupsOfThread = 64, regionsOfThread = 16;
-/// What rounding makes of |F - C|², over |C|² + 3, and of the principal stretches of C, over |C|.
-constexpr double squareRounding = 64 * std::numeric_limits<double>::epsilon(), stretchRounding = 1e-10;
+/// Of principal stretches and sums of few products, relative; and how far a G is from a rotation in single precision.
+constexpr double motionRounding = 1e-10, turnRounding = 1e-5;
+/// Of weights in single precision, relative.
+constexpr double weightRounding = 1e-6;
 
-Matrix3<double> matrixOf(const double* entries) {
+template <class Number>
+Matrix3<double> matrixOf(const Number* entries) {
   Matrix3<double> matrix;
   std::copy_n(entries, 9, matrix.m);
   return matrix;
 }
-/// Single precision at or above a number that is not negative.
-float singleAbove(double value) { return static_cast<float>(value * (1 + weightRounding)); }
+double distance(const Matrix3<double>& A, const Matrix3<double>& B) {
+  const Matrix3<double> off = A - B;
+  return std::sqrt(innerProduct(off, off));
+}
+template <class S>
+Symmetric3<S> productWithTranspose(const Matrix3<S>& T) {
+  Symmetric3<S> product;
+  for (int i = 0; i < 3; ++i)
+    for (int j = i; j < 3; ++j) product(i, j) = T(i, 0) * T(j, 0) + T(i, 1) * T(j, 1) + T(i, 2) * T(j, 2);
+  return product;
+}
+/// All eigenvalues, ascending, to motionRounding of the largest.
+struct Eigenvalues {
+  NativePack least, middle, largest;
+};
+Eigenvalues eigenvaluesOf(const Symmetric3<NativePack>& A) {
+  NativePack full[9], work[12];
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) full[3 * i + j] = A(i, j);
+  const auto extremes = extremeEigenvalues(full, 3, work, true);
+  return {extremes.least, A.trace() - extremes.least - extremes.largest, extremes.largest};
+}
 NativePack packOf(const float (&numbers)[lanes]) {
   detail::NativeFloats floats;
   std::memcpy(&floats, numbers, sizeof floats);
   return detail::packOf(floats);
 }
-Symmetric3<double> productWithTranspose(const Matrix3<double>& T) {
-  Symmetric3<double> product;
-  for (int i = 0; i < 3; ++i)
-    for (int j = i; j < 3; ++j) product(i, j) = T(i, 0) * T(j, 0) + T(i, 1) * T(j, 1) + T(i, 2) * T(j, 2);
-  return product;
+/// Deformation gradients that an element of the block has.
+int gradientsOf(const ElementBlock& block) {
+  return block.rule().uniformStrain ? 1 : static_cast<int>(block.rule().points.size());
 }
 const NativePack (&atRest())[3] {
   static const NativePack ones[3] = {NativePack(1.0), NativePack(1.0), NativePack(1.0)};
   return ones;
 }
 
-/// The least c with A ≼ c (λ 1 1ᵀ + 2μ I).
-double shareOf(const Eigen::Matrix3d& A, double lambda, double twoMu) {
+/// A rotation to motionRounding, by Newton's iteration for the polar factor (Higham 2008, section 8.3), of what is near
+/// one; the identity of what is not.
+Matrix3<double> nearRotation(Matrix3<double> T) {
+  constexpr int most = 8;
+  for (int k = 0; k < most; ++k) {
+    const Matrix3<double> next = 0.5 * (T + transpose(inverse(T))), step = next - T;
+    T = next;
+    if (innerProduct(step, step) < motionRounding) break;
+  }
+  T = polishedRotation(T);
+  return determinant(T) > 0.5 && determinant(T) < 2 ? T : Matrix3<double>::identity();
+}
+/// The least c with A ≼ c (λ 1 1ᵀ + 2μ I), rounded up.
+NativePack shareOf(const Symmetric3<NativePack>& A, double lambda, double twoMu) {
   // The root of the inverse is a I + b 1 1ᵀ.
   const double a = 1 / std::sqrt(twoMu), b = (1 / std::sqrt(3 * lambda + twoMu) - a) / 3;
-  const Eigen::Matrix3d root = a * Eigen::Matrix3d::Identity() + b * Eigen::Matrix3d::Ones();
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(root * A * root, Eigen::EigenvaluesOnly).eigenvalues()[2];
+  Symmetric3<NativePack> root = Symmetric3<NativePack>::diagonal(NativePack(a + b));
+  for (int c = 3; c < 6; ++c) root.m[c] = NativePack(b);
+  const Symmetric3<NativePack> ratio = congruence(root, A);
+  NativePack size(0.0);
+  for (int c = 0; c < 6; ++c) size += math::abs(ratio.m[c]);
+  return eigenvaluesOf(ratio).largest + NativePack(motionRounding) * size;
 }
 
 }  // namespace
@@ -77,13 +113,37 @@ RestBound::RestBound(const Body& body, const RestBoundPolicy& policy) : body_(bo
 
 void RestBound::start(NodalBound weights) {
   bodyVersion_ = body_.version();
+  weights_.emplace(std::move(weights));
   const NodeVectors& X = body_.mesh().X;
-  started_ = std::isfinite(weights.evaluate(X, 0).value);
+  restHighest_ = weights_->evaluate(X, 0).value;
+  started_ = std::isfinite(restHighest_) && restHighest_ > 0;
   if (!started_) return;
+  values_.clear();
+  laplacian_.clear();
+  reference_.clear();
+  compressed_.clear();
+  const std::vector<std::vector<double>> laplacian = laplacianMajorants(body_);
+  for (std::size_t b = 0; b < body_.blocks().size(); ++b) {
+    const std::vector<std::int32_t>& elements = body_.blocks()[b]->layout().elements;
+    values_.emplace_back(elements.size());
+    for (std::size_t place = 0; place < elements.size(); ++place)
+      if (elements[place] >= 0) values_[b][place] = weights_->value({static_cast<std::int32_t>(b), elements[place]});
+    laplacian_.emplace_back(laplacian[b].begin(), laplacian[b].end());
+    reference_.emplace_back(9 * elements.size() * static_cast<std::size_t>(gradientsOf(*body_.blocks()[b])));
+    compressed_.emplace_back(body_.blocks()[b]->layout().batchCount());
+  }
+  weights_->releaseSums();
   makeGroups();
-  makeRegions(sumWeights(weights));
+  makeRegions();
   index();
-  for (std::size_t g = 0; g < groups_.size(); ++g) settle(X, g);
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    const Matrix3<double> one = Matrix3<double>::identity();
+    std::copy_n(one.m, 9, last_.data() + 9 * g);
+    setNext(static_cast<std::int32_t>(g), one, true);
+  }
+  parallelFor(
+      0, static_cast<std::int64_t>(groups_.size()), body_.threads(),
+      [&](std::int64_t g) { refer(X, static_cast<std::int32_t>(g)); }, groupsOfThread);
 }
 
 void RestBound::makeGroups() {
@@ -92,10 +152,12 @@ void RestBound::makeGroups() {
   for (std::size_t b = 0; b < body_.blocks().size(); ++b) {
     const ElementBlock& block = *body_.blocks()[b];
     const PatchLayout& layout = block.layout();
-    for (const Patch& patch : layout.patches)
+    for (std::size_t p = 0; p < layout.patches.size(); ++p) {
+      const Patch& patch = layout.patches[p];
       for (std::int32_t begin = patch.batchBegin; begin < patch.batchEnd; begin += batches) {
         Group group{};
         group.block = static_cast<std::int32_t>(b);
+        group.patch = static_cast<std::int32_t>(p);
         group.begin = begin;
         group.end = std::min(begin + batches, patch.batchEnd);
         group.follows = block.material().info().objective ? 0 : 1;
@@ -104,40 +166,13 @@ void RestBound::makeGroups() {
             for (const std::int32_t node : block.nodesOf(e)) group.follows |= isPartlyHeld(body_, node) ? 1 : 0;
         groups_.push_back(group);
       }
+    }
   }
 }
 
-void RestBound::index() {
-  centres_.resize(BatchMotion::centreSize * groups_.size());
-  groupOfBatch_.clear();
-  farthest2_.clear();
-  sums_.clear();
-  wantsSum_.clear();
-  rest_.clear();
-  motions_.resize(groups_.size());
-  for (const auto& block : body_.blocks()) {
-    groupOfBatch_.emplace_back(block->layout().batchCount());
-    farthest2_.emplace_back(lanes * static_cast<std::size_t>(block->layout().batchCount()));
-    sums_.emplace_back(9 * lanes * static_cast<std::size_t>(block->layout().batchCount()));
-    wantsSum_.emplace_back(block->layout().batchCount());
-    PrincipalTangent<NativePack> tangent;
-    block->principalTangentAt(atRest(), tangent);
-    rest_.push_back({tangent.normal[0][1][0], tangent.flip[0], stretchesFreely(*block), block->rule().uniformStrain,
-                     block->rule().uniformStrain ? 1 : static_cast<int>(block->rule().points.size())});
-  }
-  for (std::size_t g = 0; g < groups_.size(); ++g)
-    std::fill(groupOfBatch_[groups_[g].block].begin() + groups_[g].begin,
-              groupOfBatch_[groups_[g].block].begin() + groups_[g].end, static_cast<std::int32_t>(g));
-}
-
-std::vector<std::vector<RestBound::Part>> RestBound::sumWeights(const NodalBound& weights) const {
-  struct Sum {
-    std::int32_t group;
-    Symmetric3<double> weight;
-    double laplacian;
-  };
-  const std::vector<std::vector<double>> laplacian = laplacianMajorants(body_);
-  std::vector<std::vector<Sum>> sums(body_.nodeCount());
+void RestBound::makeRegions() {
+  std::vector<std::vector<std::int32_t>> groupsOfNode(body_.nodeCount());
+  Eigen::VectorXd laplacian = Eigen::VectorXd::Zero(body_.nodeCount());
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     const Group& group = groups_[g];
     const ElementBlock& block = *body_.blocks()[group.block];
@@ -145,91 +180,320 @@ std::vector<std::vector<RestBound::Part>> RestBound::sumWeights(const NodalBound
     for (std::int32_t place = group.begin * lanes; place < group.end * lanes; ++place) {
       const std::int32_t e = block.layout().elements[place];
       if (e < 0) continue;
-      const ElementRef element{group.block, e};
       const auto nodes = block.nodesOf(e);
       for (int a = 0; a < n; ++a) {
-        std::vector<Sum>& own = sums[nodes[a]];
-        if (own.empty() || own.back().group != static_cast<std::int32_t>(g))
-          own.push_back({static_cast<std::int32_t>(g), Symmetric3<double>::diagonal(0), 0});
-        const Eigen::Matrix3d D = weights.value(element) * weights.weight(weights.incidenceOf(element, a));
-        for (int i = 0; i < 3; ++i)
-          for (int j = i; j < 3; ++j) own.back().weight(i, j) += D(i, j);
-        own.back().laplacian += laplacian[group.block][(place / lanes * n + a) * lanes + place % lanes];
+        std::vector<std::int32_t>& own = groupsOfNode[nodes[a]];
+        if (own.empty() || own.back() != static_cast<std::int32_t>(g)) own.push_back(static_cast<std::int32_t>(g));
+        laplacian[nodes[a]] += laplacian_[group.block][(place / lanes * n + a) * lanes + place % lanes];
       }
     }
   }
-  std::vector<std::vector<Part>> parts(sums.size());
-  for (std::size_t i = 0; i < sums.size(); ++i)
-    for (const Sum& sum : sums[i]) {
-      const double mass = body_.lumpedMass()[static_cast<Eigen::Index>(i)];
-      Part part{sum.group, {}, singleAbove(sum.laplacian / mass)};
-      // Rounded to nearest; what that loses is added to the diagonal.
-      for (int c = 0; c < 6; ++c)
-        part.weight[c] =
-            static_cast<float>((sum.weight.m[c] + (c < 3 ? weightRounding * sum.weight.trace() : 0)) / mass);
-      parts[i].push_back(part);
-    }
-  return parts;
-}
-
-void RestBound::makeRegions(const std::vector<std::vector<Part>>& partsOfNode) {
   regions_.clear();
   parts_.clear();
-  packBegin_ = {0};
-  restHighest_ = laplacianHighest_ = 0;
-  std::vector<std::int32_t> regionOf(groups_.size());
-  for (std::size_t g = 0; g < groups_.size(); ++g) {
-    if (regions_.empty() || regions_.back().end - regions_.back().begin == policy_.groupsOfRegion ||
-        groups_[g].block != groups_[g - 1].block)
-      regions_.push_back({static_cast<std::int32_t>(g), static_cast<std::int32_t>(g), 0, 0, {}, 0, 0, 0, 0, -1});
-    ++regions_.back().end;
-    regionOf[g] = static_cast<std::int32_t>(regions_.size()) - 1;
-  }
-  std::vector<std::vector<std::int32_t>> nodesOf(regions_.size());
-  for (std::int32_t i = 0; i < body_.nodeCount(); ++i) {
-    if (partsOfNode[i].empty() || (body_.constraints().any() && body_.constraints().freeComponents(i) == 0)) continue;
-    nodesOf[regionOf[partsOfNode[i].front().group]].push_back(i);
-  }
-  for (std::size_t r = 0; r < regions_.size(); ++r) {
-    Region& region = regions_[r];
-    std::vector<std::int32_t>& nodes = nodesOf[r];
+  packBegin_.assign(1, 0);
+  laplacianHighest_ = 0;
+  std::vector<std::vector<std::int32_t>> nodesOf(groups_.size() / static_cast<std::size_t>(policy_.groupsOfRegion) + 1);
+  for (std::int32_t i = 0; i < body_.nodeCount(); ++i)
+    if (!groupsOfNode[i].empty() && !isHeld(i)) nodesOf[groupsOfNode[i].front() / policy_.groupsOfRegion].push_back(i);
+  for (std::vector<std::int32_t>& nodes : nodesOf) {
+    if (nodes.empty()) continue;
+    // Those of a pack have parts of much the same number.
     std::stable_sort(nodes.begin(), nodes.end(),
-                     [&](std::int32_t a, std::int32_t b) { return partsOfNode[a].size() < partsOfNode[b].size(); });
+                     [&](std::int32_t i, std::int32_t j) { return groupsOfNode[i].size() > groupsOfNode[j].size(); });
+    Region region{};
+    region.node = nodes.front();
+    region.boundedAt = -1;
     for (const std::int32_t i : nodes) {
-      Symmetric3<double> sum = Symmetric3<double>::diagonal(0);
-      double weights = 0, laplacian = 0;
-      for (const Part& part : partsOfNode[i]) {
-        Symmetric3<double> own;
-        std::copy_n(part.weight, 6, own.m);
-        sum = sum + own;
-        weights += eigenvalueBounds(own).high();
-        laplacian += part.laplacian;
-        region.around.push_back(part.group);
-      }
-      region.weight = std::max(region.weight, eigenvalueBounds(sum).high());
-      region.weights = std::max(region.weights, weights);
-      region.laplacian = std::max(region.laplacian, laplacian);
+      region.around.insert(region.around.end(), groupsOfNode[i].begin(), groupsOfNode[i].end());
+      region.laplacian = std::max(region.laplacian, laplacian[i] / body_.lumpedMass()[i]);
     }
     sortUnique(region.around);
-    restHighest_ = std::max(restHighest_, region.weight);
     laplacianHighest_ = std::max(laplacianHighest_, region.laplacian);
     region.packBegin = static_cast<std::int32_t>(packBegin_.size()) - 1;
     for (std::size_t first = 0; first < nodes.size(); first += lanes) {
-      const std::size_t last = std::min(first + lanes, nodes.size());
-      for (std::size_t k = 0; k < partsOfNode[nodes[last - 1]].size(); ++k) {
+      for (std::size_t k = 0; k < groupsOfNode[nodes[first]].size(); ++k) {
         PackOfParts pack{};
         for (std::size_t lane = 0; lane < lanes; ++lane) {
-          const std::vector<Part>& parts = partsOfNode[nodes[std::min(first + lane, last - 1)]];
-          pack.group[lane] = parts[std::min(k, parts.size() - 1)].group;
-          if (k >= parts.size()) continue;
-          for (int c = 0; c < 6; ++c) pack.weight[c][lane] = parts[k].weight[c];
-          pack.laplacian[lane] = parts[k].laplacian;
+          pack.group[lane] = groupsOfNode[nodes[first]].front();
+          if (first + lane >= nodes.size()) continue;
+          const std::vector<std::int32_t>& own = groupsOfNode[nodes[first + lane]];
+          pack.group[lane] = own[std::min(k, own.size() - 1)];
+          pack.node[lane] = k < own.size() ? nodes[first + lane] : -1;
         }
+        for (std::size_t lane = nodes.size() - first; lane < lanes; ++lane) pack.node[lane] = -1;
         parts_.push_back(pack);
       }
       packBegin_.push_back(static_cast<std::int32_t>(parts_.size()));
     }
     region.packEnd = static_cast<std::int32_t>(packBegin_.size()) - 1;
+    regions_.push_back(std::move(region));
+  }
+}
+
+void RestBound::index() {
+  groupOfBatch_.clear();
+  rest_.clear();
+  for (const auto& block : body_.blocks()) {
+    // What is no group's goes to one more.
+    groupOfBatch_.emplace_back(block->layout().batchCount(), static_cast<std::int32_t>(groups_.size()));
+    PrincipalTangent<NativePack> tangent;
+    block->principalTangentAt(atRest(), tangent);
+    rest_.push_back({tangent.normal[0][1][0], tangent.flip[0], stretchesFreely(*block), block->rule().uniformStrain,
+                     gradientsOf(*block)});
+  }
+  places_.assign(groups_.size(), {});
+  regionsOf_.assign(groups_.size(), {});
+  for (std::size_t k = 0; k < parts_.size(); ++k)
+    for (int lane = 0; lane < lanes; ++lane)
+      if (parts_[k].node[lane] >= 0)
+        places_[parts_[k].group[lane]].push_back(
+            {parts_[k].node[lane], static_cast<std::int32_t>(k), 0, static_cast<std::uint16_t>(lane)});
+  for (std::size_t r = 0; r < regions_.size(); ++r)
+    for (const std::int32_t g : regions_[r].around) regionsOf_[g].push_back(static_cast<std::int32_t>(r));
+  std::vector<std::uint16_t> localOf(body_.nodeCount());
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    const Group& group = groups_[g];
+    std::fill(groupOfBatch_[group.block].begin() + group.begin, groupOfBatch_[group.block].begin() + group.end,
+              static_cast<std::int32_t>(g));
+    const PatchLayout& layout = body_.blocks()[group.block]->layout();
+    const Patch& patch = layout.patches[static_cast<std::size_t>(group.patch)];
+    if (g == 0 || groups_[g - 1].patch != group.patch || groups_[g - 1].block != group.block)
+      for (std::int32_t k = patch.nodeBegin; k < patch.nodeEnd; ++k)
+        localOf[layout.nodes[k]] = static_cast<std::uint16_t>(k - patch.nodeBegin);
+    for (Place& place : places_[g]) place.local = localOf[place.node];
+  }
+  measured_.resize(BatchMotion::sizeOfGroup * (groups_.size() + 1));
+  next_.resize(9 * (groups_.size() + 1));
+  last_.resize(9 * groups_.size());
+  flags_.resize(groups_.size() + 1);
+  motions_.resize(groups_.size());
+  bounds_.resize(regions_.size());
+}
+
+RestBound::Moved RestBound::stretched(const Group& group, const Matrix3<P>* F, const Matrix3<P>& T,
+                                      const P& delta) const {
+  const Rest& rest = rest_[group.block];
+  const double kappa = rest.lambda + rest.twoMu, spread = spreadOf(kappa);
+  Moved moved{};
+  moved.stress = P(-infinity);
+  for (int q = 0; q < rest.gradients; ++q) {
+    const Symmetric3<P> stress = secondStressOf(body_.blocks()[group.block]->material().restModuli(), F[q]);
+    moved.stress = math::max(moved.stress, eigenvalueBounds(stress).high());
+  }
+  moved.added = spread > 0 ? P(kappa) * delta * (delta + P(1 / spread)) : P(kappa) * delta * delta;
+  moved.geometric = math::max(P(0.0), moved.stress + P(boundRounding * kappa));
+  moved.R = math::sqrt(P(1.0) + P(spread) * delta) * T;
+  return moved;
+}
+
+RestBound::Moved RestBound::turned(const Group& group, const Matrix3<P>& T, const P& delta,
+                                   TangentDriftCoefficients<P>& there) const {
+  const Rest& rest = rest_[group.block];
+  const P size = math::sqrt(innerProduct(T, T));
+  const Matrix3<P> R = group.follows ? Matrix3<P>::identity() : closestRotation(T);
+  P stretches[3];
+  P radius(infinity);
+  if (group.follows) {
+    for (int i = 0; i < 3; ++i) stretches[i] = T(i, i);
+  } else {
+    const Matrix3<P> U = transposeTimes(R, T);
+    Symmetric3<P> mean;
+    P skew(0.0);
+    for (int i = 0; i < 3; ++i)
+      for (int j = i; j < 3; ++j) {
+        mean(i, j) = P(0.5) * (U(i, j) + U(j, i));
+        skew += math::abs(U(i, j) - U(j, i));
+      }
+    const Eigenvalues own = eigenvaluesOf(mean);
+    stretches[0] = own.least;
+    stretches[1] = own.middle;
+    stretches[2] = own.largest;
+    // Where there is no closest rotation.
+    radius = select(skew <= P(motionRounding) * size, radius, P(-1.0));
+  }
+  // A mirrored gradient is no stretch, nor is one whose diagonal is not positive.
+  for (const P& stretch : stretches) radius = select(stretch > P(motionRounding) * size, radius, P(-1.0));
+  PrincipalTangent<P> tangent;
+  body_.blocks()[group.block]->principalTangentAt(stretches, tangent);
+  Symmetric3<P> normal;
+  for (int i = 0; i < 3; ++i)
+    for (int j = i; j < 3; ++j) normal(i, j) = P(0.5) * (tangent.normal[i][j] + tangent.normal[j][i]);
+  const P beside = math::max(tangent.twist, P(0.0)) + P(boundRounding * (rest.lambda + rest.twoMu));
+  for (int i = 0; i < 3; ++i) normal(i, i) -= beside;
+  P share = math::max(shareOf(normal, rest.lambda, rest.twoMu), (tangent.flip - beside) / P(rest.twoMu));
+  share = math::max(share, P(rest.hourglass ? 1.0 : 0.0));
+  there = tangent.drift;
+  there.radius = math::min(there.radius, radius);
+  const P kappa = there.kappa;
+  P spread(0.0);
+  for (int lane = 0; lane < lanes; ++lane) spread.set(lane, spreadOf(kappa[lane]));
+  const P eta = spread * delta;
+  Moved moved{};
+  moved.R = math::sqrt((P(1.0) + eta) * math::max(share, P(0.0))) * R;
+  moved.added = (P(1.0) + eta) * beside + eta * there.negative + kappa * delta * delta +
+                select(spread > P(0.0), kappa * delta / select(spread > P(0.0), spread, P(1.0)), P(0.0)) +
+                delta * (there.linear + delta * there.quadratic);
+  moved.stress = P(-infinity);
+  const auto known = delta <= there.radius;
+  moved.added = select(known, moved.added, P(0.0));
+  moved.geometric = select(known, P(0.0), P(unknown));
+  for (int i = 0; i < 9; ++i) moved.R.m[i] = select(known, moved.R.m[i], P(0.0));
+  return moved;
+}
+
+void RestBound::refer(NodeVectorsView x, std::int32_t g) {
+  Group& group = groups_[g];
+  const ElementBlock& block = *body_.blocks()[group.block];
+  const Rest& rest = rest_[group.block];
+  const int n = block.nodesPerElement();
+  const PatchLayout& layout = block.layout();
+  // By node of the patch: the sum of what moves, in Symmetric3's order, of what does not, and of c.
+  constexpr int numbers = 8;
+  thread_local AlignedVector<double> sums, gradients;
+  sums.resize(static_cast<std::size_t>(numbers * PatchLayout::maxPatchNodes));
+  for (const Place& place : places_[g]) std::fill_n(sums.data() + numbers * place.local, numbers, 0.0);
+  thread_local AlignedVector<Matrix3<P>> F;
+  gradients.resize(static_cast<std::size_t>(9 * rest.gradients * lanes));
+  F.resize(static_cast<std::size_t>(rest.gradients));
+  Symmetric3<P> D[maxElementNodes];
+  Matrix3<double> ofFirst = Matrix3<double>::zero();
+  group.rounding = group.uneven = group.size = group.count = 0;
+  group.stress = -infinity;
+  group.leastStretch = infinity;
+  group.drift = {0, 0, 0, 0, infinity};
+  double negative = 0;
+  for (std::int32_t batch = group.begin; batch < group.end; ++batch) {
+    const std::int32_t* elements = layout.elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes;
+    if (elements[0] < 0) continue;
+    TangentDrift drift[lanes];
+    block.deformationOf(elements, x.data(), gradients.data(), drift);
+    Matrix3<P> T = Matrix3<P>::zero();
+    P size2(0.0);
+    for (int q = 0; q < rest.gradients; ++q) {
+      for (int i = 0; i < 9; ++i) F[q].m[i] = P::load(gradients.data() + (9 * q + i) * lanes);
+      T = T + F[q];
+      size2 = math::max(size2, innerProduct(F[q], F[q]));
+    }
+    for (int i = 0; i < 9; ++i) T.m[i] = group.follows && i % 4 != 0 ? P(0.0) : P(1.0 / rest.gradients) * T.m[i];
+    P delta(0.0), weight(0.0);
+    for (int q = 0; q < rest.gradients; ++q) {
+      const Matrix3<P> off = F[q] - T;
+      delta = math::max(delta, innerProduct(off, off));
+    }
+    delta = math::sqrt(delta) + P(motionRounding) * math::sqrt(size2);
+    const P stored = ValidityBalls::storeGradients(
+        gradients.data(), rest.gradients,
+        reference_[group.block].data() + 9 * lanes * (static_cast<std::ptrdiff_t>(batch) * rest.gradients));
+    bool compressed = false;
+    const double slight = policy_.slightCompression * (rest.lambda + rest.twoMu);
+    TangentDriftCoefficients<P> law{P(rest.lambda + rest.twoMu), P(0.0), P(0.0), P(0.0), P(infinity)};
+    for (int lane = 0; lane < lanes; ++lane) {
+      if (elements[lane] < 0) continue;
+      const TangentDrift& own = drift[lane];
+      delta.set(lane, delta[lane] + own.gradientRounding);
+      weight.set(lane, values_[group.block][static_cast<std::size_t>(batch) * lanes + lane]);
+      group.rounding = std::max(group.rounding, own.gradientRounding + stored[lane]);
+      group.leastStretch = std::min(group.leastStretch, own.inversionDistance);
+      negative = std::max(negative, own.law.negative);
+      compressed |= own.law.negative > slight || !(own.determinant > 0);
+    }
+    // As the pass has them: empty lanes repeat the batch's first element.
+    for (int i = 0; i < 9; ++i)
+      for (int lane = 0; lane < lanes; ++lane) ofFirst.m[i] += F[0].m[i][lane];
+    group.count += lanes;
+    std::uint8_t& flag = compressed_[group.block][batch];
+    flag = static_cast<std::uint8_t>((compressed ? 1 : 0) | (flag & 1 ? 2 : 0));
+    const Moved moved = rest.stretches ? stretched(group, F.data(), T, delta) : turned(group, T, delta, law);
+    for (int lane = 0; lane < lanes && elements[lane] >= 0; ++lane) {
+      group.uneven = std::max(group.uneven, delta[lane]);
+      group.size = std::max(group.size, std::sqrt(size2[lane]));
+      group.stress = std::max(group.stress, moved.stress[lane]);
+      group.drift.kappa = std::max(group.drift.kappa, law.kappa[lane]);
+      group.drift.linear = std::max(group.drift.linear, law.linear[lane]);
+      group.drift.quadratic = std::max(group.drift.quadratic, law.quadratic[lane]);
+      group.drift.negative = std::max(group.drift.negative, law.negative[lane]);
+      group.drift.radius = std::min(group.drift.radius, law.radius[lane]);
+    }
+    weights_->weightsOf(group.block, batch, D);
+    const auto used = weight > P(0.0);
+    const std::uint16_t* const local = layout.localNodes.data() + static_cast<std::ptrdiff_t>(batch) * n * lanes;
+    for (int a = 0; a < n; ++a) {
+      const P c = RoundedUp<Bfloat16>::load(laplacian_[group.block].data() +
+                                            (static_cast<std::ptrdiff_t>(batch) * n + a) * lanes);
+      Symmetric3<P> own = weight * movedWeight(moved.R, D[a]);
+      for (int i = 0; i < 3; ++i) own.m[i] += moved.added * c;
+      alignas(64) double entries[numbers][lanes];
+      for (int i = 0; i < 6; ++i) select(used, own.m[i], P(0.0)).store(entries[i]);
+      select(used, moved.geometric * c, P(0.0)).store(entries[6]);
+      c.store(entries[7]);
+      for (int lane = 0; lane < lanes && elements[lane] >= 0; ++lane) {
+        double* const sum = sums.data() + numbers * local[a * lanes + lane];
+        for (int i = 0; i < numbers; ++i) sum[i] += entries[i][lane];
+      }
+    }
+  }
+  const bool heldAnywhere = body_.constraints().any();
+  for (const Place& place : places_[g]) {
+    PackOfParts& parts = parts_[place.part];
+    const double* const own = sums.data() + numbers * place.local;
+    const double inverseMass = 1 / body_.lumpedMass()[place.node], trace = own[0] + own[1] + own[2];
+    // Rounded to nearest; what that loses is added to the diagonal.
+    for (int i = 0; i < 3; ++i)
+      for (int j = i; j < 3; ++j) {
+        const int at = Symmetric3<double>::index(i, j);
+        const double entry = own[at] + (i == j ? weightRounding * trace : 0);
+        parts.weight[at][place.lane] = static_cast<float>(
+            inverseMass *
+            (heldAnywhere ? freeFactor(body_, place.node, i) * freeFactor(body_, place.node, j) * entry : entry));
+      }
+    parts.geometric[place.lane] =
+        static_cast<float>(std::min(inverseMass * own[6] * (1 + weightRounding), 2 * boundOfUnknown));
+    parts.laplacian[place.lane] = static_cast<float>(inverseMass * own[7] * (1 + weightRounding));
+  }
+  group.seenNegative = negative;
+  const Matrix3<double> back = inverse(ofFirst);
+  std::copy_n(back.m, 9, group.inverse);
+  // The motion goes on as it went up to here.
+  const Matrix3<double> last = matrixOf(last_.data() + 9 * g), one = Matrix3<double>::identity();
+  setNext(g, (flags_[g] & BatchMotion::still) != 0 ? one : nextOf(g) * inverse(last), true);
+  std::copy_n(one.m, 9, last_.data() + 9 * g);
+  motions_[g] = {1, 0, true, {}};
+  std::copy_n(one.m, 9, motions_[g].matrix);
+  group.spread = spreadOf(group.drift.kappa);
+  group.delta = group.summedAt = 0;
+  group.referenceAt = states_;
+}
+
+Matrix3<double> RestBound::nextOf(std::int32_t g) const {
+  return (1 / ValidityBalls::entryUnit) * matrixOf(next_.data() + 9 * g);
+}
+
+void RestBound::setNext(std::int32_t g, Matrix3<double> motion, bool summed) {
+  const Group& group = groups_[g];
+  const Matrix3<double> one = Matrix3<double>::identity();
+  const bool stretches = rest_[group.block].stretches;
+  if (group.follows)
+    for (int i = 0; i < 9; ++i)
+      if (i % 4 != 0) motion.m[i] = 0;
+  if (!stretches) motion = group.follows ? one : nearRotation(motion);
+  const bool still = !(distance(motion, one) > policy_.still && distance(motion, one) < 1);
+  if (still) motion = one;
+  for (int i = 0; i < 9; ++i) next_[9 * g + i] = static_cast<float>(ValidityBalls::entryUnit * motion.m[i]);
+  flags_[g] = static_cast<std::uint8_t>((still ? BatchMotion::still : BatchMotion::summed) |
+                                        (summed ? BatchMotion::summed : 0));
+}
+
+void RestBound::see(NodeVectorsView x, const Group& group) {
+  const ElementBlock& block = *body_.blocks()[group.block];
+  AlignedVector<double> F(static_cast<std::size_t>(9 * rest_[group.block].gradients * lanes));
+  for (std::int32_t batch = group.begin; batch < group.end; ++batch) {
+    const std::int32_t* elements = block.layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes;
+    if (elements[0] < 0) continue;
+    compressed_[group.block][batch] |= 1;
+    TangentDrift drift[lanes];
+    block.deformationOf(elements, x.data(), F.data(), drift);
+    for (int lane = 0; lane < lanes && elements[lane] >= 0; ++lane)
+      seen_.push_back({{group.block, elements[lane]}, drift[lane].determinant, drift[lane].law.negative});
   }
 }
 
@@ -238,9 +502,13 @@ void RestBound::measure(NodeVectorsView x, StepEvaluation* evaluation) {
    public:
     explicit Measure(RestBound& bound) : bound_(bound) {}
     void visitPatch(std::size_t block, const PatchPass& pass) override {
-      const BatchMotion motion{bound_.centres_.data(), bound_.groupOfBatch_[block].data(),
-                               bound_.farthest2_[block].data(), bound_.wantsSum_[block].data(),
-                               bound_.sums_[block].data()};
+      const BatchMotion motion{bound_.next_.data(),
+                               bound_.flags_.data(),
+                               bound_.groupOfBatch_[block].data(),
+                               bound_.reference_[block].data(),
+                               ValidityBalls::entryUnit,
+                               bound_.rest_[block].gradients,
+                               bound_.measured_.data()};
       pass.run(nullptr, &motion);
     }
 
@@ -252,305 +520,292 @@ void RestBound::measure(NodeVectorsView x, StepEvaluation* evaluation) {
   measureOnly.wantsForce = false;
   StepEvaluation& asked = evaluation ? *evaluation : measureOnly;
   asked.visitor = &visitor;
+  std::fill(measured_.begin(), measured_.end(), 0.0F);
   body_.evaluate(x, asked, workspace_);
   asked.visitor = nullptr;
 }
 
-void RestBound::settle(NodeVectorsView x, std::size_t g) {
-  using P = NativePack;
+bool RestBound::follow(std::int32_t g) {
   Group& group = groups_[g];
-  const ElementBlock& block = *body_.blocks()[group.block];
-  const Rest& rest = rest_[group.block];
-  const Lame constants = block.material().restModuli();
-  const int gradients = rest.gradients;
-  AlignedVector<Matrix3<P>>& F = gradients_;
-  F.clear();
-  Matrix3<P> sum = Matrix3<P>::zero();
-  double rounding = 0;
-  AlignedVector<double> own(static_cast<std::size_t>(9 * gradients * lanes));
-  P stress(-infinity);
-  for (std::int32_t batch = group.begin; batch < group.end; ++batch) {
-    if (isEmpty(group, batch)) continue;
-    const std::int32_t* elements = block.layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes;
-    TangentDrift drift[lanes];
-    block.deformationOf(elements, x.data(), own.data(), drift);
-    for (int lane = 0; lane < lanes && elements[lane] >= 0; ++lane) {
-      seen_.push_back({{group.block, elements[lane]}, drift[lane].determinant, drift[lane].law.negative});
-      rounding = std::max(rounding, drift[lane].gradientRounding);
-    }
-    for (int q = 0; q < gradients; ++q) {
-      Matrix3<P> gradient;
-      for (int i = 0; i < 9; ++i) gradient.m[i] = P::load(own.data() + (9 * q + i) * lanes);
-      sum = sum + gradient;
-      F.push_back(gradient);
-      if (rest.stretches) stress = math::max(stress, eigenvalueBounds(secondStressOf(constants, gradient)).high());
-    }
-  }
-  const auto gather = [](const P& pack, const auto& take) {
-    for (int lane = 0; lane < lanes; ++lane) take(pack[lane]);
-  };
-  Matrix3<double> mean = Matrix3<double>::zero();
-  for (int i = 0; i < 9; ++i) {
-    gather(sum.m[i], [&](double value) { mean.m[i] += value; });
-    mean.m[i] /= static_cast<double>(F.size()) * lanes;
-  }
-  group.rounding = rounding;
-  centre(g, mean);
-  group.seenNegative = group.negative;
-  Matrix3<P> middle;
-  const double* at = centres_.data() + BatchMotion::centreSize * g;
-  for (int i = 0; i < 9; ++i) middle.m[i] = P(at[i]);
-  P farthest2(0.0);
-  for (const Matrix3<P>& gradient : F) {
-    const Matrix3<P> difference = gradient - middle;
-    farthest2 = math::max(farthest2, innerProduct(difference, difference));
-  }
-  group.delta = 0;
-  group.stress = -infinity;
-  gather(farthest2, [&](double value) { group.delta = std::max(group.delta, std::sqrt(value)); });
-  gather(stress, [&](double value) { group.stress = std::max(group.stress, value); });
-  group.settled = true;
-}
-
-void RestBound::centre(std::size_t g, Matrix3<double> gradient) {
-  Group& group = groups_[g];
-  const Rest& rest = rest_[group.block];
-  if (group.follows)
-    for (int i = 0; i < 9; ++i)
-      if (i % 4 != 0) gradient.m[i] = 0;
-  double* at = centres_.data() + BatchMotion::centreSize * g;
-  std::copy_n(gradient.m, 9, at);
-  const double square = at[BatchMotion::placeOfSquare] = innerProduct(gradient, gradient);
-  group.settled = false;
-  // s₃ = det T / (s₁ s₂) >= 2 det T / |T|².
-  group.leastStretch = std::max(0.0, (1 - stretchRounding) * 2 * determinant(gradient) / square);
-  group.drift = {};
-  if (rest.stretches) {
-    std::copy_n(gradient.m, 9, group.turn);
-    group.ofRest = eigenvalueBounds(productWithTranspose(gradient)).high();
-    const EigenvalueBounds<double> stress =
-        eigenvalueBounds(secondStressOf(body_.blocks()[group.block]->material().restModuli(), gradient));
-    group.beside = stress.high();
-    group.negative = std::max(0.0, stress.half - stress.mean);
-    return;
-  }
-  const Matrix3<double> turn = group.follows ? Matrix3<double>::identity() : closestRotation(gradient);
-  std::copy_n(turn.m, 9, group.turn);
-  const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> C(gradient.m);
-  NativePack stretches[3];
-  if (group.follows) {
-    for (int i = 0; i < 3; ++i) stretches[i] = NativePack(gradient(i, i));
-  } else {
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> squares(C.transpose() * C, Eigen::EigenvaluesOnly);
-    for (int i = 0; i < 3; ++i) stretches[i] = NativePack(std::sqrt(std::max(squares.eigenvalues()[i], 0.0)));
-  }
-  PrincipalTangent<NativePack> tangent;
-  body_.blocks()[group.block]->principalTangentAt(stretches, tangent);
-  Eigen::Matrix3d normal;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) normal(i, j) = 0.5 * (tangent.normal[i][j][0] + tangent.normal[j][i][0]);
-  group.beside = std::max(tangent.twist[0], 0.0) + boundRounding * (rest.lambda + rest.twoMu);
-  normal.diagonal().array() -= group.beside;
-  group.ofRest = std::max({shareOf(normal, rest.lambda, rest.twoMu), (tangent.flip[0] - group.beside) / rest.twoMu,
-                           rest.hourglass ? 1.0 : 0.0});
-  group.drift = {tangent.drift.kappa[0], tangent.drift.linear[0], tangent.drift.quadratic[0], tangent.drift.negative[0],
-                 tangent.drift.radius[0]};
-  group.negative = std::max(0.0, tangent.drift.negative[0]);
-  // A mirrored mean is no stretch, nor is one whose diagonal is not positive.
-  if (!(group.leastStretch > 0) || !(std::min({stretches[0][0], stretches[1][0], stretches[2][0]}) > 0))
-    group.drift.radius = -1;
-}
-
-void RestBound::move(std::size_t g) {
-  const Group& group = groups_[g];
   Motion& motion = motions_[g];
   const Rest& rest = rest_[group.block];
+  const float* const measured = measured_.data() + BatchMotion::sizeOfGroup * g;
+  float farthest2 = 0, all = 0;
+  for (int lane = 0; lane < lanes; ++lane) {
+    farthest2 = std::max(farthest2, measured[lane]);
+    all += measured[lane];
+  }
+  if (!std::isfinite(all)) return false;
+  const bool still = (flags_[g] & BatchMotion::still) != 0;
+  Matrix3<double> G = nextOf(g);
+  // How far G is from a rotation.
+  const double off = still ? 0 : distance(transposeTimes(G, G), Matrix3<double>::identity()),
+               stretch = std::sqrt(1 + off);
+  double delta = std::sqrt(static_cast<double>(farthest2)) +
+                 (1 + stretch) * (group.rounding + BatchMotion::motionRounding * group.size);
   const TangentDriftCoefficients<double>& drift = group.drift;
-  const double centre2 = centres_[BatchMotion::centreSize * g + BatchMotion::placeOfSquare];
-  const double delta = group.delta + group.rounding + stretchRounding * std::sqrt(centre2);
-  const double kappa = rest.stretches ? rest.lambda + rest.twoMu : drift.kappa;
-  // (1 + η) α R D Rᵀ + (1 + 1/η) κ δ² L is least, at the highest nodes, for η = δ s.
-  const double s =
-      kappa > 0 && group.ofRest > 0 ? std::sqrt(kappa * laplacianHighest_ / (group.ofRest * restHighest_)) : 0;
-  const double eta = delta * s, spread = s > 0 ? kappa * delta * (delta + 1 / s) : kappa * delta * delta;
-  double scale = 1 + eta;
+  const double spread = group.spread, eta = spread * delta;
+  const auto quadratic = [&](double t) {
+    return drift.kappa * t * (t + (spread > 0 ? 1 / spread : 0)) +
+           t * (spread * drift.negative + drift.linear + t * drift.quadratic);
+  };
   if (rest.stretches) {
-    const double modulus = std::sqrt(kappa * kappa + 2 * rest.lambda * rest.lambda);
-    const double stress = group.settled ? group.stress + boundRounding * kappa * group.ofRest
-                                        : group.beside + modulus * delta * (std::sqrt(group.ofRest) + 0.5 * delta);
-    motion.added = spread + std::max(0.0, stress);
+    const double modulus = std::sqrt(drift.kappa * drift.kappa + 2 * rest.lambda * rest.lambda);
+    const double risen = modulus * (0.5 * off * group.size * group.size + delta * (stretch * group.size + 0.5 * delta));
+    motion.added = quadratic(delta) + std::max(0.0, risen + std::min(0.0, group.stress));
   } else {
-    scale *= group.ofRest;
-    motion.added = delta <= drift.radius ? (1 + eta) * group.beside + eta * drift.negative + spread +
-                                               delta * (drift.linear + delta * drift.quadratic)
-                                         : unknown;
+    delta += off * group.size;
+    if (!still) G = polishedRotation(G);
+    motion.added = off <= turnRounding && group.uneven + delta <= drift.radius
+                       ? quadratic(group.uneven + delta) - quadratic(group.uneven)
+                       : unknown;
   }
-  double root = std::sqrt(scale);
-  // Where the law says nothing of the centre.
-  if (!(root < unknown && motion.added >= 0)) {
-    motion.added = unknown;
-    root = 0;
+  // Beyond twice their size gradients err by more.
+  if (!(motion.added < unknown && stretch <= 2)) motion.added = unknown;
+  motion.growth = motion.added < unknown ? 1 + eta : 0;
+  motion.still = still;
+  const double root = std::sqrt(motion.growth);
+  for (int i = 0; i < 9; ++i) motion.matrix[i] = root * G.m[i];
+  group.delta = delta;
+  if ((flags_[g] & BatchMotion::summed) == 0) {
+    // It may have begun to move.
+    if (delta > group.summedAt + policy_.still || (g + states_ + 1) % policy_.turns == 0)
+      flags_[g] |= BatchMotion::summed;
+    return true;
   }
-  for (int i = 0; i < 9; ++i) motion.matrix[i] = root * group.turn[i];
+  Matrix3<double> sum = Matrix3<double>::zero();
+  for (int i = 0; i < 9; ++i)
+    for (int lane = 0; lane < lanes; ++lane) sum.m[i] += measured[(i + 1) * lanes + lane];
+  // The motion goes on as it went from the last state to this one.
+  const Matrix3<double> now = sum * matrixOf(group.inverse), last = matrixOf(last_.data() + 9 * g);
+  std::copy_n(now.m, 9, last_.data() + 9 * g);
+  setNext(g, still ? now : 2.0 * now - last, (g + states_ + 1) % policy_.turns == 0);
+  group.summedAt = delta;
+  return true;
 }
 
-double RestBound::boundOfAll(const Region& region) const {
-  if (region.packBegin == region.packEnd) return 0;
-  const Motion& first = motions_[region.begin];
-  const double stretch2 = eigenvalueBounds(productWithTranspose(matrixOf(first.matrix))).high();
+double RestBound::movedBound(const Region& region) const {
+  if (region.boundedAt < 0) return infinity;
+  if (!region.still) return turnedBound(region);
+  double growth = 1, added = 0;
+  for (std::size_t k = 0; k < region.around.size(); ++k) {
+    const Motion &now = motions_[region.around[k]], &then = region.base[k];
+    if (!now.still) return turnedBound(region);
+    growth = std::max(growth, now.growth * then.growth);
+    added = std::max(added, now.added - then.added);
+  }
+  return growth * region.weight + added * region.laplacian;
+}
+
+double RestBound::turnedBound(const Region& region) const {
+  constexpr std::size_t mostAround = 256;
+  Matrix3<double> motions[mostAround], mean = Matrix3<double>::zero();
+  const std::size_t count = region.around.size();
+  if (count > mostAround) return infinity;
   double apart2 = 0, added = 0;
-  for (const std::int32_t g : region.around) {
-    const Motion& motion = motions_[g];
-    double square = 0;
-    for (int i = 0; i < 9; ++i) square += (motion.matrix[i] - first.matrix[i]) * (motion.matrix[i] - first.matrix[i]);
-    apart2 = std::max(apart2, square);
-    added = std::max(added, motion.added);
+  for (std::size_t k = 0; k < count; ++k) {
+    const Motion& now = motions_[region.around[k]];
+    motions[k] = matrixOf(now.matrix) * matrixOf(region.base[k].matrix);
+    mean = mean + motions[k];
+    added = std::max(added, now.added - region.base[k].added);
   }
-  return stretch2 * region.weight + (2 * std::sqrt(stretch2 * apart2) + apart2) * region.weights +
-         added * region.laplacian;
+  mean = (1.0 / static_cast<double>(count)) * mean;
+  for (std::size_t k = 0; k < count; ++k) {
+    const Matrix3<double> off = motions[k] - mean;
+    apart2 = std::max(apart2, innerProduct(off, off));
+  }
+  const double stretch2 = eigenvalueBounds(productWithTranspose(mean)).high();
+  const double bound = std::max(1.0, stretch2) * region.weight +
+                       2 * std::sqrt(apart2 * stretch2 * region.weight * region.trace) + apart2 * region.trace +
+                       added * region.laplacian;
+  return bound >= 0 ? bound : infinity;  // of a motion of which nothing was known
 }
 
-double RestBound::boundOfNodes(const Region& region) const {
-  using P = NativePack;
-  P highest(0.0);
+double RestBound::boundNodes(Region& region) {
+  P highest(0.0), most(0.0);
   for (std::int32_t pack = region.packBegin; pack < region.packEnd; ++pack) {
     Symmetric3<P> sum = Symmetric3<P>::diagonal(P(0.0));
+    P rest(0.0);
     for (std::int32_t k = packBegin_[pack]; k < packBegin_[pack + 1]; ++k) {
       const PackOfParts& parts = parts_[k];
-      alignas(64) double gathered[10][lanes];
-      for (int lane = 0; lane < lanes; ++lane) {
-        const Motion& motion = motions_[parts.group[lane]];
-        for (int i = 0; i < 9; ++i) gathered[i][lane] = motion.matrix[i];
-        gathered[9][lane] = motion.added;
-      }
-      Matrix3<P> matrix;
-      for (int i = 0; i < 9; ++i) matrix.m[i] = P::load(gathered[i]);
       Symmetric3<P> weight;
       for (int c = 0; c < 6; ++c) weight.m[c] = packOf(parts.weight[c]);
-      sum = sum + movedWeight(matrix, weight) + Symmetric3<P>::diagonal(P::load(gathered[9]) * packOf(parts.laplacian));
+      P growth, added;
+      bool still = true;
+      for (int lane = 0; lane < lanes; ++lane) {
+        const Motion& motion = motions_[parts.group[lane]];
+        growth.set(lane, motion.growth);
+        added.set(lane, motion.added);
+        still &= motion.still;
+      }
+      if (still) {
+        sum = sum + growth * weight;
+      } else {
+        alignas(64) double gathered[9][lanes];
+        for (int lane = 0; lane < lanes; ++lane)
+          for (int i = 0; i < 9; ++i) gathered[i][lane] = motions_[parts.group[lane]].matrix[i];
+        Matrix3<P> matrix;
+        for (int i = 0; i < 9; ++i) matrix.m[i] = P::load(gathered[i]);
+        sum = sum + movedWeight(matrix, weight);
+      }
+      rest += packOf(parts.geometric) + added * packOf(parts.laplacian);
     }
-    highest = math::max(highest, eigenvalueBounds(sum).high());
+    const P trace = sum.trace();
+    most = math::max(most, trace);
+    highest = math::max(highest, eigenvaluesOf(sum).largest + P(motionRounding) * trace + rest);
+    statistics_.nodes += lanes;
   }
-  double most = 0;
-  for (int lane = 0; lane < lanes; ++lane) most = std::max(most, highest[lane]);
-  return most;
-}
-
-UpperBound RestBound::update(NodeVectorsView x, StepEvaluation* evaluation, double enough, std::int64_t most) {
-  seen_.clear();
-  if (!started()) {
-    if (evaluation) body_.evaluate(x, *evaluation, workspace_);
-    return {infinity};
-  }
-  if (groupOfBatch_.empty()) index();
-  const auto isDue = [&](std::size_t g) { return (static_cast<std::int64_t>(g) + states_) % policy_.turns == 0; };
-  for (std::size_t g = 0; g < groups_.size(); ++g)
-    std::fill(wantsSum_[groups_[g].block].begin() + groups_[g].begin,
-              wantsSum_[groups_[g].block].begin() + groups_[g].end, isDue(g) ? 1 : 0);
-  measure(x, evaluation);
-  bool finite = true;
-  parallelFor(
-      0, static_cast<std::int64_t>(groups_.size()), body_.threads(),
-      [&](std::int64_t g) {
-        groups_[g].settled = false;
-        groups_[g].delta = unevennessOf(g);
-        move(g);
-      },
-      groupsOfThread);
-  for (std::size_t g = 0; g < groups_.size(); ++g) {
-    const Group& group = groups_[g];
-    finite = finite && std::isfinite(group.delta);
-    const Rest& rest = rest_[group.block];
-    // An element that inverts is seen, and those whose compression has grown.
-    const bool mayInvert = !(group.delta + group.rounding < group.leastStretch);
-    const bool compressed = group.negative > policy_.compressionGrowth * group.seenNegative +
-                                                 policy_.slightCompression * (rest.lambda + rest.twoMu);
-    if (!mayInvert && !compressed) continue;
-    settle(x, g);
-    move(g);
-  }
-  if (!finite) return {std::numeric_limits<double>::quiet_NaN()};
-  const double bound = lowestBound(x, enough, most);
-  parallelFor(
-      0, static_cast<std::int64_t>(groups_.size()), body_.threads(),
-      [&](std::int64_t g) {
-        if (isDue(g) && !groups_[g].settled) centre(g, meanOf(g));
-      },
-      groupsOfThread);
-  ++states_;
-  return {bound < boundOfUnknown ? (1 + boundRounding) * bound : infinity};
-}
-
-double RestBound::unevennessOf(std::size_t g) const {
-  const Group& group = groups_[g];
-  NativePack farthest(0.0), all(0.0);
-  for (std::int32_t batch = group.begin; batch < group.end; ++batch) {
-    if (isEmpty(group, batch)) continue;
-    const NativePack own =
-        NativePack::load(farthest2_[group.block].data() + static_cast<std::ptrdiff_t>(batch) * lanes);
-    farthest = math::max(farthest, own);
-    all += own;
-  }
-  double farthest2 = 0, sum = 0;
+  region.weight = region.trace = 0;
   for (int lane = 0; lane < lanes; ++lane) {
-    farthest2 = std::max(farthest2, farthest[lane]);
-    sum += all[lane];
+    region.weight = std::max(region.weight, highest[lane]);
+    region.trace = std::max(region.trace, most[lane]);
   }
-  if (!std::isfinite(sum)) return sum;
-  const double square = centres_[BatchMotion::centreSize * g + BatchMotion::placeOfSquare];
-  return std::sqrt(farthest2 + squareRounding * (square + BatchMotion::dimensions));
-}
-
-Matrix3<double> RestBound::meanOf(std::size_t g) const {
-  const Group& group = groups_[g];
-  Matrix3<NativePack> sum = Matrix3<NativePack>::zero();
-  double count = 0;
-  for (std::int32_t batch = group.begin; batch < group.end; ++batch) {
-    if (isEmpty(group, batch)) continue;
-    count += lanes * rest_[group.block].gradients;
-    for (int i = 0; i < 9; ++i)
-      sum.m[i] += NativePack::load(sums_[group.block].data() + (9 * static_cast<std::ptrdiff_t>(batch) + i) * lanes);
+  region.boundedAt = states_;
+  region.base.resize(region.around.size());
+  region.still = true;
+  for (std::size_t k = 0; k < region.around.size(); ++k) {
+    const Motion& now = motions_[region.around[k]];
+    const Matrix3<double> back = inverse(matrixOf(now.matrix));
+    region.base[k] = {1 / now.growth, now.added, now.still, {}};
+    std::copy_n(back.m, 9, region.base[k].matrix);
+    region.still &= now.still;
   }
-  Matrix3<double> mean = Matrix3<double>::zero();
-  for (int i = 0; i < 9; ++i)
-    for (int lane = 0; lane < lanes; ++lane) mean.m[i] += sum.m[i][lane] / count;
-  return mean;
+  return region.weight;
 }
 
 double RestBound::lowestBound(NodeVectorsView x, double enough, std::int64_t most) {
   parallelFor(
       0, static_cast<std::int64_t>(regions_.size()), body_.threads(),
-      [&](std::int64_t r) {
-        regions_[r].bound = boundOfAll(regions_[r]);
-        regions_[r].settledAt = -1;
-      },
-      regionsOfThread);
-  std::int32_t settled = 0;
-  for (double known = 0;;) {
-    Region& top = *std::max_element(regions_.begin(), regions_.end(),
-                                    [](const Region& a, const Region& b) { return a.bound < b.bound; });
-    const bool spent = static_cast<std::int64_t>(seen_.size()) >= most;
-    if (top.bound <= enough || (spent && top.settledAt < 0 && top.bound <= (1 + policy_.same) * known))
-      return top.bound;
-    if (top.settledAt == settled) {
-      // Its nodes are as low as the motions make them: its own groups are gone through, then those around it.
-      std::vector<std::int32_t> open;
-      const auto isOpen = [&](std::int32_t g) { return !groups_[g].settled; };
-      for (std::int32_t g = top.begin; g < top.end; ++g)
-        if (isOpen(g)) open.push_back(g);
-      if (open.empty()) std::copy_if(top.around.begin(), top.around.end(), std::back_inserter(open), isOpen);
-      if (open.empty() || spent) return top.bound;
-      ++settled;
-      for (const std::int32_t g : open) {
-        settle(x, g);
-        move(g);
+      [&](std::int64_t r) { bounds_[r] = movedBound(regions_[r]); }, regionsOfThread);
+  std::vector<std::pair<double, std::int32_t>> heap;  // the highest first
+  for (std::size_t r = 0; r < regions_.size(); ++r) heap.emplace_back(bounds_[r], static_cast<std::int32_t>(r));
+  std::make_heap(heap.begin(), heap.end());
+  const auto push = [&](std::int32_t r, double bound) {
+    bounds_[r] = bound;
+    heap.emplace_back(bound, r);
+    std::push_heap(heap.begin(), heap.end());
+  };
+  for (double known = 0; !heap.empty();) {
+    const auto [bound, r] = heap.front();
+    if (bound != bounds_[r]) {
+      std::pop_heap(heap.begin(), heap.end());
+      heap.pop_back();
+      continue;
+    }
+    Region& top = regions_[r];
+    const bool bounded = top.boundedAt == states_;
+    node_ = top.node;
+    const bool spent = statistics_.elements >= most;
+    if (bound <= enough || (spent && !bounded && bound <= (1 + policy_.same) * known)) return bound;
+    if (!bounded) {
+      std::pop_heap(heap.begin(), heap.end());
+      heap.pop_back();
+      push(r, boundNodes(top));
+      known = std::max(known, bounds_[r]);
+      continue;
+    }
+    if (spent) return bound;
+    double uneven = 0;
+    for (const std::int32_t g : top.around) uneven = std::max(uneven, groups_[g].delta);
+    bool referred = false;
+    for (const std::int32_t g : top.around) {
+      const Group& group = groups_[g];
+      if (group.referenceAt == states_ || !(group.delta >= policy_.uneven * uneven)) continue;
+      refer(x, g);
+      referred = true;
+      statistics_.elements += lanes * (group.end - group.begin);
+      if (isCompressed(group)) see(x, group);
+      for (const std::int32_t other : regionsOf_[g]) {
+        regions_[other].boundedAt = -1;
+        if (bounds_[other] < infinity) push(other, infinity);
       }
     }
-    const double bound = boundOfNodes(top);
-    top.bound = std::min(top.bound, bound);
-    top.settledAt = settled;
-    if (top.bound < boundOfUnknown) known = std::max(known, top.bound);
+    if (!referred) return bound;
+    known = 0;
   }
+  return 0;
+}
+
+bool RestBound::isToBeSeen(std::int32_t g) const {
+  const Group& group = groups_[g];
+  if (!(group.delta < 0.5 * group.leastStretch)) return true;
+  if ((g + states_) % policy_.turns != 0 || (flags_[g] & BatchMotion::summed) == 0) return false;
+  const Rest& rest = rest_[group.block];
+  double negative = 0;
+  const Matrix3<double> mean = (1 / group.count) * (matrixOf(last_.data() + 9 * g) * inverse(matrixOf(group.inverse)));
+  if (rest.stretches) {
+    const EigenvalueBounds<double> stress =
+        eigenvalueBounds(secondStressOf(body_.blocks()[group.block]->material().restModuli(), mean));
+    negative = stress.half - stress.mean;
+  } else {
+    NativePack stretches[3];
+    Symmetric3<NativePack> square;
+    const Matrix3<double> C = transposeTimes(mean, mean);
+    for (int i = 0; i < 3; ++i)
+      for (int j = i; j < 3; ++j) square(i, j) = NativePack(C(i, j));
+    const Eigenvalues own = eigenvaluesOf(square);
+    stretches[0] = math::sqrt(math::max(own.least, NativePack(0.0)));
+    stretches[1] = math::sqrt(math::max(own.middle, NativePack(0.0)));
+    stretches[2] = math::sqrt(own.largest);
+    PrincipalTangent<NativePack> tangent;
+    body_.blocks()[group.block]->principalTangentAt(stretches, tangent);
+    negative = tangent.drift.negative[0];
+  }
+  return negative >
+         policy_.compressionGrowth * group.seenNegative + policy_.slightCompression * (rest.lambda + rest.twoMu);
+}
+
+UpperBound RestBound::update(NodeVectorsView x, StepEvaluation* evaluation, double enough, std::int64_t most) {
+  seen_.clear();
+  statistics_ = {};
+  if (!started()) {
+    if (evaluation) body_.evaluate(x, *evaluation, workspace_);
+    return {infinity};
+  }
+  if (groupOfBatch_.empty()) index();
+  ++states_;
+  measure(x, evaluation);
+  std::vector<std::uint8_t> finite(groups_.size()), toBeSeen(groups_.size());
+  parallelFor(
+      0, static_cast<std::int64_t>(groups_.size()), body_.threads(),
+      [&](std::int64_t g) {
+        finite[g] = follow(static_cast<std::int32_t>(g)) ? 1 : 0;
+        toBeSeen[g] = finite[g] != 0 && isToBeSeen(static_cast<std::int32_t>(g)) ? 1 : 0;
+      },
+      groupsOfThread);
+  if (std::find(finite.begin(), finite.end(), 0) != finite.end()) return {std::numeric_limits<double>::quiet_NaN()};
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    if (toBeSeen[g] == 0) continue;
+    const std::size_t first = seen_.size();
+    see(x, groups_[g]);
+    for (std::size_t k = first; k < seen_.size(); ++k)
+      groups_[g].seenNegative = std::max(groups_[g].seenNegative, seen_[k].negative);
+  }
+  const double bound = (1 + boundRounding) * lowestBound(x, enough, most);
+  return {bound < boundOfUnknown ? bound : infinity};
+}
+
+Eigen::Matrix3d RestBound::majorantAt(std::int32_t node) const {
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  for (const PackOfParts& parts : parts_)
+    for (int lane = 0; lane < lanes; ++lane) {
+      if (parts.node[lane] != node) continue;
+      const Motion& motion = motions_[parts.group[lane]];
+      const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> matrix(motion.matrix);
+      Eigen::Matrix3d weight;
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) weight(i, j) = parts.weight[Symmetric3<double>::index(i, j)][lane];
+      sum += matrix * weight * matrix.transpose();
+      sum.diagonal().array() += parts.geometric[lane] + motion.added * parts.laplacian[lane];
+    }
+  return sum;
+}
+
+ElementRef RestBound::highest() const { return weights_->elementsAt(std::span<const std::int32_t>(&node_, 1)).front(); }
+
+bool RestBound::isCompressed(const Group& group) const {
+  return std::any_of(compressed_[group.block].begin() + group.begin, compressed_[group.block].begin() + group.end,
+                     [](std::uint8_t flags) { return flags != 0; });
 }
 
 }  // namespace ringwatch
