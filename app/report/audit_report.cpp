@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include <ringwatch/app/command/audit.h>
+#include <ringwatch/app/analysis/audit.h>
 #include <ringwatch/app/output/frames.h>
 #include <ringwatch/app/report/frame_choice.h>
 #include <ringwatch/app/report/report_page.h>

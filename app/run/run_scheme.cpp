@@ -2,15 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <ringwatch/app/command/integrator_catalog.h>
 #include <ringwatch/app/run/device_stepper.h>
 #include <ringwatch/app/run/runner.h>
 #include <ringwatch/app/scene/capabilities.h>
+#include <ringwatch/app/scene/integrator_catalog.h>
 #include <ringwatch/app/scene/scene_state.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/body/domain.h>
 #include <ringwatch/integrators/additive_system.h>
-#include <ringwatch/monitor/bounds/stiff_elements.h>
+#include <ringwatch/monitor/metrics/stiff_elements.h>
 
 namespace ringwatch {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <ringwatch/gpu/body/device_body_impl.h>
 #include <ringwatch/gpu/rings/device_rings.h>
-#include <ringwatch/gpu/tangents/tangent_operations.h>
+#include <ringwatch/gpu/tangent_operations.h>
 
 namespace ringwatch {
 

@@ -1,7 +1,7 @@
 #include <limits>
 
 #include <ringwatch/gpu/cuda_error.h>
-#include <ringwatch/gpu/tangents/tangent_operations.h>
+#include <ringwatch/gpu/tangent_operations.h>
 #include <ringwatch/monitor/small/extreme_eigenvalues.h>
 
 namespace ringwatch {

@@ -1,5 +1,5 @@
 #pragma once
-#include <ringwatch/gpu/tangents/tangent_operations.h>
+#include <ringwatch/gpu/tangent_operations.h>
 #include <ringwatch/materials/rotation.h>
 #include <ringwatch/monitor/small/power_iteration.h>
 #include <ringwatch/gpu/certificate/certificate_kernels.cuh>

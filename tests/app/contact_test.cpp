@@ -522,7 +522,7 @@ TEST_F(Contact, RefusesWhatCannotBe) {
   refuse("[[contact]]\n", "[[contact]]: there is no [[obstacle]] to touch; give one, with its kind");
   refuse(floor, "there is no [[contact]] with it; give one, which may be empty for the surface");
   refuse(std::string(floor) + contact("obstacle = \"flor\"\n"),
-         "contact.obstacle: unknown obstacle \"flor\"; did you mean \"floor\"? the scene has floor");
+         "contact.obstacle: no [[obstacle]] is named \"flor\"; did you mean \"floor\"? the scene has floor");
   refuse("[[obstacle]]\nkind = \"cube\"\n" + contact(), "obstacle.kind: unknown \"cube\"");
   refuse("[[obstacle]]\nkind = \"plan\"\n" + contact(), "obstacle.kind: unknown \"plan\"; did you mean \"plane\"?");
   refuse("[[obstacle]]\nkind = \"sphere\"\n" + contact(), "obstacle.radius: missing; a sphere needs it");

@@ -399,7 +399,7 @@ TEST_F(Rigid, RefusesGuidesThatDoNotFit) {
     expectRefused("run bad.toml --out bad", what);
     EXPECT_FALSE(exists("bad/history.csv"));
   };
-  refused("[[fix]]\nrigid = \"haed\"\n", "fix.rigid: unknown rigid \"haed\"; did you mean \"head\"?");
+  refused("[[fix]]\nrigid = \"haed\"\n", "fix.rigid: no [[rigid]] is named \"haed\"; did you mean \"head\"?");
   refused("[[fix]]\nrigid = \"head\"\nwhere = \"x > 0\"\n", "fix.where: both where and rigid are given");
   refused("[[fix]]\nwhere = \"x > 0.115\"\nturns = true\n", "fix.turns: goes with rigid");
   refused("[[move]]\nwhere = \"x > 0.115\"\nvelocity = [1, 0, 0]\naxis = [1, 0, 0]\n", "move.axis: goes with rigid");

@@ -21,7 +21,7 @@
 #include <ringwatch/integrators/sundials/registry.h>
 #include <ringwatch/meshes/generators/generators.h>
 #include <ringwatch/monitor/bounds/global_frequency.h>
-#include <ringwatch/monitor/bounds/stiff_elements.h>
+#include <ringwatch/monitor/metrics/stiff_elements.h>
 #include <ringwatch/verify/integrators/integrators.h>
 #include <ringwatch/verify/integrators/oscillator.h>
 

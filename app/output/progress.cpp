@@ -1,4 +1,4 @@
-#include <ringwatch/app/command/progress.h>
+#include <ringwatch/app/output/progress.h>
 
 #include <unistd.h>
 

@@ -1,4 +1,4 @@
-#include <ringwatch/app/command/provenance.h>
+#include <ringwatch/app/output/provenance.h>
 
 #include <sys/utsname.h>
 

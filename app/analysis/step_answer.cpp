@@ -1,4 +1,4 @@
-#include <ringwatch/app/command/step_answer.h>
+#include <ringwatch/app/analysis/step_answer.h>
 
 #include <algorithm>
 #include <cmath>

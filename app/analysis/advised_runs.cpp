@@ -1,4 +1,4 @@
-#include <ringwatch/app/command/advised_runs.h>
+#include <ringwatch/app/analysis/advised_runs.h>
 
 #include <algorithm>
 #include <cmath>

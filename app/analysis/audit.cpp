@@ -1,15 +1,15 @@
-#include <ringwatch/app/command/audit.h>
+#include <ringwatch/app/analysis/audit.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include <ringwatch/app/command/integrator_catalog.h>
-#include <ringwatch/app/command/progress.h>
-#include <ringwatch/app/command/step_answer.h>
+#include <ringwatch/app/analysis/step_answer.h>
+#include <ringwatch/app/output/progress.h>
 #include <ringwatch/app/output/report.h>
 #include <ringwatch/app/scene/capabilities.h>
+#include <ringwatch/app/scene/integrator_catalog.h>
 #include <ringwatch/app/scene/scene.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/infinity.h>

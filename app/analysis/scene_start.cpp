@@ -1,12 +1,12 @@
-#include <ringwatch/app/command/scene_start.h>
+#include <ringwatch/app/analysis/scene_start.h>
 
 #include <array>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include <ringwatch/app/command/integrator_catalog.h>
 #include <ringwatch/app/scene/body_notes.h>
+#include <ringwatch/app/scene/integrator_catalog.h>
 #include <ringwatch/app/scene/scene_discrete.h>
 #include <ringwatch/app/scene/scene_state.h>
 #include <ringwatch/base/error.h>

@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <ringwatch/app/command/exit_status.h>
+#include <ringwatch/app/output/exit_status.h>
 #include <ringwatch/base/options.h>
 #include <ringwatch/body/body.h>
 #include <ringwatch/integrators/integrator.h>

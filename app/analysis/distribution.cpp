@@ -1,4 +1,4 @@
-#include <ringwatch/app/command/distribution.h>
+#include <ringwatch/app/analysis/distribution.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include <ringwatch/app/command/advise.h>
+#include <ringwatch/app/analysis/advise.h>
 
 #include <algorithm>
 #include <cmath>
@@ -6,12 +6,12 @@
 
 #include <fmt/format.h>
 
-#include <ringwatch/app/command/advised_runs.h>
-#include <ringwatch/app/command/elements_in_the_way.h>
-#include <ringwatch/app/command/integrator_catalog.h>
-#include <ringwatch/app/command/progress.h>
-#include <ringwatch/app/command/scene_start.h>
+#include <ringwatch/app/analysis/advised_runs.h>
+#include <ringwatch/app/analysis/scene_start.h>
+#include <ringwatch/app/output/elements_in_the_way.h>
+#include <ringwatch/app/output/progress.h>
 #include <ringwatch/app/output/report.h>
+#include <ringwatch/app/scene/integrator_catalog.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/base/user_text.h>

@@ -1,4 +1,4 @@
-#include <ringwatch/app/command/elements_in_the_way.h>
+#include <ringwatch/app/output/elements_in_the_way.h>
 
 #include <algorithm>
 #include <cmath>

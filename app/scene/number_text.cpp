@@ -1,4 +1,4 @@
-#include <ringwatch/app/command/number_text.h>
+#include <ringwatch/app/scene/number_text.h>
 
 #include <charconv>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <ringwatch/app/command/exit_status.h>
+#include <ringwatch/app/output/exit_status.h>
 
 namespace ringwatch {
 

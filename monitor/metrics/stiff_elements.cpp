@@ -1,4 +1,4 @@
-#include <ringwatch/monitor/bounds/stiff_elements.h>
+#include <ringwatch/monitor/metrics/stiff_elements.h>
 
 #include <ringwatch/monitor/metrics/metrics.h>
 

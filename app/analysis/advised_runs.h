@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <ringwatch/app/command/scene_start.h>
+#include <ringwatch/app/analysis/scene_start.h>
 
 namespace ringwatch {
 

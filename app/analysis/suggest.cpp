@@ -1,12 +1,12 @@
-#include <ringwatch/app/command/suggest.h>
+#include <ringwatch/app/analysis/suggest.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include <ringwatch/app/command/scene_start.h>
-#include <ringwatch/app/command/step_answer.h>
+#include <ringwatch/app/analysis/scene_start.h>
+#include <ringwatch/app/analysis/step_answer.h>
 #include <ringwatch/app/output/report.h>
 #include <ringwatch/app/output/step_reasons.h>
 #include <ringwatch/app/scene/capabilities.h>

@@ -9,7 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <ringwatch/app/command/exit_status.h>
+#include <ringwatch/app/output/exit_status.h>
 #include <ringwatch/app/output/report.h>
 #include <ringwatch/app/scene/body_notes.h>
 #include <ringwatch/app/scene/scene.h>

@@ -1,5 +1,5 @@
-#include <ringwatch/app/command/inspect.h>
-#include <ringwatch/app/command/integrator_catalog.h>
+#include <ringwatch/app/analysis/inspect.h>
+#include <ringwatch/app/scene/integrator_catalog.h>
 
 #include <algorithm>
 #include <cmath>
@@ -7,11 +7,11 @@
 
 #include <fmt/format.h>
 
-#include <ringwatch/app/command/distribution.h>
-#include <ringwatch/app/command/elements_in_the_way.h>
-#include <ringwatch/app/command/progress.h>
-#include <ringwatch/app/command/step_answer.h>
+#include <ringwatch/app/analysis/distribution.h>
+#include <ringwatch/app/analysis/step_answer.h>
+#include <ringwatch/app/output/elements_in_the_way.h>
 #include <ringwatch/app/output/frames.h>
+#include <ringwatch/app/output/progress.h>
 #include <ringwatch/app/output/report.h>
 #include <ringwatch/app/output/step_reasons.h>
 #include <ringwatch/app/scene/body_notes.h>

@@ -1,14 +1,14 @@
-#include <ringwatch/app/command/compare.h>
+#include <ringwatch/app/analysis/compare.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include <ringwatch/app/command/integrator_catalog.h>
-#include <ringwatch/app/command/progress.h>
+#include <ringwatch/app/output/progress.h>
 #include <ringwatch/app/output/report.h>
 #include <ringwatch/app/scene/capabilities.h>
+#include <ringwatch/app/scene/integrator_catalog.h>
 #include <ringwatch/app/scene/scene.h>
 #include <ringwatch/app/scene/scene_state.h>
 #include <ringwatch/base/error.h>

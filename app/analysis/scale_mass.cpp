@@ -1,4 +1,4 @@
-#include <ringwatch/app/command/scale_mass.h>
+#include <ringwatch/app/analysis/scale_mass.h>
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include <ringwatch/app/command/scene_start.h>
+#include <ringwatch/app/analysis/scene_start.h>
 #include <ringwatch/app/output/report.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/handlers/mass_scaling/lowest_frequencies.h>

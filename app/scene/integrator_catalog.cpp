@@ -1,4 +1,4 @@
-#include <ringwatch/app/command/integrator_catalog.h>
+#include <ringwatch/app/scene/integrator_catalog.h>
 
 #include <algorithm>
 #include <cmath>
