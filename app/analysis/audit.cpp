@@ -278,7 +278,7 @@ class AuditReport {
       if (found == states_.end()) return false;
       const std::string text = fmt::format("{}: {}{}", what, nameOf(*found), detail(*found));
       result.text += text + "\n";
-      events.push_back({key, text, static_cast<std::size_t>(found - states_.begin())});
+      events.push_back({key, what, text, static_cast<std::size_t>(found - states_.begin())});
       return true;
     };
     const auto element = [&](ElementRef e) { return elementText(body_.mesh(), e); };

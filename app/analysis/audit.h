@@ -41,9 +41,9 @@ struct AuditedState {
   bool lost() const { return !bracket; }
 };
 
-/// What was found first at a state: its key in the JSON, and a sentence.
+/// What was found first at a state: its key in the JSON, in a few words, and as a sentence.
 struct AuditEvent {
-  std::string key, text;
+  std::string key, name, text;
   std::size_t state;  // place in the audited states
 };
 

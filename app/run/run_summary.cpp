@@ -10,6 +10,7 @@
 #include <ringwatch/app/scene/body_notes.h>
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/body/discrete_forces.h>
+#include <ringwatch/monitor/element_strain.h>
 
 namespace ringwatch {
 namespace {
@@ -230,6 +231,19 @@ Json momentJson(const std::optional<RunResult::Moment>& moment) {
   return Json{{"step", moment->step}, {"time", moment->time}};
 }
 
+Json diagnosisJson(const ElementCause& cause) {
+  const ElementShape& shape = cause.shape;
+  return Json{{"strain", std::string(elementStrainNames.nameOf(strainOf(cause)))},
+              {"determinant", numberOrNull(cause.leastDeterminant)},
+              {"largest_stretch", numberOrNull(cause.largestStretch)},
+              {"least_stretch", numberOrNull(cause.leastStretch)},
+              {"shape", std::string(shapeName(shape.shape))},
+              {"badly_shaped", cause.badlyShaped()},
+              {"least_dihedral", numberOrNull(shape.minDihedral)},
+              {"largest_dihedral", numberOrNull(shape.maxDihedral)},
+              {"aspect", numberOrNull(shape.aspect)}};
+}
+
 }  // namespace
 
 Json summaryJson(const Scene& scene, const Body& body, const RunResult& result) {
@@ -243,6 +257,7 @@ Json summaryJson(const Scene& scene, const Body& body, const RunResult& result) 
                           {"element", found.element},
                           {"handled", event.handled},
                           {"cause", event.cause ? Json(causeText(*event.cause)) : Json(nullptr)},
+                          {"diagnosis", event.cause ? diagnosisJson(*event.cause) : Json(nullptr)},
                           {"value", event.value},
                           {"discrete_share", event.discreteShare},
                           {"text", found.text}});

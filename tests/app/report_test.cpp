@@ -208,6 +208,11 @@ TEST_F(Report, SaysWhichElementWhenAndWhatToDo) {
   EXPECT_THAT(sentence, HasSubstr("step " + (*violated)["step"].dump() + ", t = "));
   EXPECT_THAT(sentence, HasSubstr("element " + (*violated)["element"]["id"].dump() + " of the mesh"));
   EXPECT_THAT(sentence, HasSubstr((*violated)["cause"].get<std::string>()));
+  // The same as data: by the element's strain and shape alone the sentence can be told.
+  const Json& diagnosis = (*violated)["diagnosis"];
+  EXPECT_EQ(diagnosis["strain"] == "unstrained",
+            !(diagnosis["largest_stretch"] > 1.05 || diagnosis["least_stretch"] < 1 / 1.05));
+  EXPECT_EQ(diagnosis["determinant"] <= 0, diagnosis["strain"] == "inverted");
   EXPECT_THAT(sentence, HasSubstr("stopped before"));
   const Json report = reportIn(page());
   for (const char* key : {"block", "index", "id"})
