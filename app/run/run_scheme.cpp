@@ -72,11 +72,8 @@ std::unique_ptr<Stepper> RunScheme::onDevice(double h) {
   std::string reason = refusal ? refusal->what : whyNoDevice();
   if (reason.empty()) {
     try {
-      // A handler's monitor watches the explicit elements, the GPU's rings would be those of all.
-      const MetricInfo* metric = findMetric(scene_.metric);
       std::unique_ptr<Stepper> stepper =
-          makeDeviceStepper(body_, sceneInitialState(scene_, *system_), scene_.handlerOptions,
-                            metric != nullptr && metric->runsOnGpu && !handler_, scene_.devices);
+          makeDeviceStepper(body_, sceneInitialState(scene_, *system_), scene_.handlerOptions, scene_.devices);
       if (handler_) stepper->handle(handler_->elements(), h);
       return stepper;
     } catch (const InputError& fault) {
