@@ -361,38 +361,6 @@ TEST(Sundials, AsksForATangent) {
   for (const IntegratorEntry& entry : sundialsIntegrators()) EXPECT_FALSE(entry.make()->step(system, state, 0.1).done);
 }
 
-TEST(Equilibrium, BalancesAHangingBar) {
-  Body body = bar();
-  body.addBodyForce({0, 0, -2});
-  for (const LinearSolve solve : {LinearSolve::direct, LinearSolve::conjugateGradients, LinearSolve::gmres}) {
-    ImplicitOptions options;
-    options.linearSolve = solve;
-    BodySystem system(body);
-    NodeVectors x = body.mesh().X;
-    const EquilibriumStatus status = solveEquilibrium(system, 0, x, 1e-9, options);
-    ASSERT_TRUE(status.done) << status.reason;
-    EXPECT_GT(status.iterations, 0);
-    NodeVectors a;
-    system.acceleration(0, x, 0 * x, a);
-    EXPECT_LT((a * body.lumpedMass().asDiagonal()).cwiseAbs().maxCoeff(),
-              1e-8 * body.externalForce().cwiseAbs().maxCoeff());
-    EXPECT_LT((x - body.mesh().X).row(2).minCoeff(), -1e-3);  // it sags
-    for (const std::int32_t node : body.mesh().nodeSets.at("x-min")) EXPECT_EQ(x.col(node), body.mesh().X.col(node));
-  }
-}
-
-TEST(Equilibrium, SaysWhyItFailed) {
-  Body body(generateBar(BarOptions{}), makeMaterial("stvk", 30e3, 0.3, 1000),
-            {{}, Lumping::rowSum, 1});  // held by nothing
-  body.addBodyForce({0, 0, -2});
-  BodySystem system(body);
-  NodeVectors x = body.mesh().X;
-  const EquilibriumStatus status = solveEquilibrium(system, 0, x);
-  EXPECT_FALSE(status.done);
-  EXPECT_FALSE(status.reason.empty());
-  EXPECT_EQ(x, body.mesh().X);
-}
-
 // One step from the tables themselves: Z_i = y + Σ_j (aE_ij A_E + aI_ij A_I) Z_j, y' = y + Σ_i b_i (A_E + A_I) Z_i.
 Eigen::Matrix2d arkAmplification(double z, double stiffShare) {
   ARKodeButcherTable E = ARKodeButcherTable_LoadERK(ARKODE_ARK437L2SA_ERK_7_3_4);
