@@ -314,21 +314,10 @@ TEST_F(Report, OfAFolderThatLacksSomethingSaysSo) {
   EXPECT_EQ(call("report p").status, 0);
 }
 
-constexpr const char* dropped = R"([mesh]
-generate = "bar"
-size = [0.06, 0.06, 0.06]
-cells = [3, 3, 3]
-jitter = 0.1
-[material]
-model = "neo-hookean"
-young = 1e6
-poisson = 0.3
-density = 1000
-[integrator]
-step = 5e-5
-end = 6e-3
-[monitor]
-on_violation = "warn"
+constexpr const char* dropped = R"(mesh = {generate = "bar", size = [0.06, 0.06, 0.06], cells = [3, 3, 3], jitter = 0.1}
+material = {model = "neo-hookean", young = 1e6, poisson = 0.3, density = 1000}
+integrator = {step = 5e-5, end = 6e-3}
+monitor = {on_violation = "warn"}
 [[initial]]
 where = "all"
 velocity = [0, 0, -1]
@@ -491,15 +480,9 @@ TEST_F(InspectionReport, OfAStepSaysWhatIsInItsWayAndWhatThatWouldTake) {
   EXPECT_GE(gains, 3);
   ASSERT_NE(scaling, nullptr);
   // A run at that step adds the same mass before its first step.
-  folder_.write("s.toml", R"([mesh]
-file = "bar.msh"
-[material]
-model = "stvk"
-young = 30e3
-poisson = 0.3
-density = 1000
-[integrator]
-end = 1e-2
+  folder_.write("s.toml", R"(mesh = {file = "bar.msh"}
+material = {model = "stvk", young = 30e3, poisson = 0.3, density = 1000}
+integrator = {end = 1e-2}
 [handler]
 method = "mass-scaling"
 )");
