@@ -1,6 +1,6 @@
-// Wedges and pyramids against the numbers of independent programs, to the digits that they printed: single elements,
-// and bars of 0.2 × 0.04 × 0.04 m clamped at x = 0 (E = 30 kPa, nu = 0.3, rho = 1000 kg/m3, St. Venant–Kirchhoff;
-// GetFEM 5.4.2).
+// Clamped bars against GetFEM 5.4.2 and CalculiX 2.20, to the digits that they printed: bending under an end load,
+// natural frequencies, falling under gravity, critical steps. E = 30 kPa, nu = 0.3, rho = 1000 kg/m3, St.
+// Venant–Kirchhoff, 0.2 × 0.04 × 0.04 m, x = 0 clamped.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -11,83 +11,20 @@
 #include <ringwatch/body/free_dofs.h>
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/integrators/stormer_verlet.h>
-#include <ringwatch/meshes/generators/generators.h>
 #include <ringwatch/monitor/bounds/global_frequency.h>
 #include <ringwatch/verify/static_solver.h>
-#include <tests/verify/reference_wedges_pyramids.h>
+#include <tests/support/body_cases.h>
 
 namespace ringwatch {
 namespace {
 
-class ReferenceWedgeOrPyramidTest : public ::testing::TestWithParam<test::ReferenceWedgeOrPyramid> {
- public:
-  const test::ReferenceWedgeOrPyramid& expected() const { return GetParam(); }
-  Mesh mesh() const {
-    const ElementInfo& element = *findElementByName(expected().element);
-    Mesh mesh;
-    mesh.X = NodeVectors::Map(expected().X.data(), 3, element.nodes);
-    mesh.blocks.push_back({element.type, {}, {0}});
-    for (int a = 0; a < element.nodes; ++a) mesh.blocks[0].connectivity.push_back(a);
-    return mesh;
-  }
-  static NodeVectors positions(const Mesh& mesh, bool displaced) {
-    NodeVectors x = mesh.X;
-    for (Eigen::Index k = 0; displaced && k < x.size(); ++k) {
-      const auto d = static_cast<double>(k);
-      x.data()[k] += 0.0015 * std::sin(1 + 1.7 * d + 0.3 * d * d);
-    }
-    return x;
-  }
-  const Body body{mesh(), makeMaterial("stvk", 30e3, 0.3, 1000)};
-  const NodeVectors x = positions(body.mesh(), expected().displaced);
-};
-INSTANTIATE_TEST_SUITE_P(GetFem, ReferenceWedgeOrPyramidTest, ::testing::ValuesIn(test::referenceWedgesAndPyramids()),
-                         [](const auto& test) {
-                           return std::string(test.param.element) + (test.param.displaced ? "_displaced" : "_at_rest");
-                         });
-
-TEST_P(ReferenceWedgeOrPyramidTest, HasTheVolumeAndTheLumpedMasses) {
-  EXPECT_NEAR(body.volume(), expected().volume, 1e-12 * expected().volume);
-  for (std::size_t a = 0; a < expected().lumpedMass.size(); ++a)
-    EXPECT_NEAR(body.lumpedMass()[a], expected().lumpedMass[a], 2e-12 * expected().lumpedMass[a]);
-}
-
-TEST_P(ReferenceWedgeOrPyramidTest, HasTheInternalForce) {
-  NodeVectors f;
-  Body::Workspace workspace;
-  body.internalForce(x, f, workspace);
-  for (Eigen::Index k = 0; k < f.size(); ++k) {
-    const double force = expected().internalForce.empty() ? 0 : expected().internalForce[k];
-    EXPECT_NEAR(f.data()[k], force, 2e-13) << k;
-  }
-}
-
-TEST_P(ReferenceWedgeOrPyramidTest, HasTheSpectrum) {
-  const Eigen::MatrixXd K = body.elementTangent({0, 0}, x);
-  const Eigen::VectorXd lambda = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(K).eigenvalues();
-  for (Eigen::Index i = 0; i < lambda.size(); ++i)
-    EXPECT_NEAR(lambda[i], expected().eigenvalues[i], 2e-10 * lambda.maxCoeff()) << i;
-  const Eigen::VectorXd scale = body.lumpedMass().cwiseSqrt().cwiseInverse().transpose().replicate(3, 1).reshaped();
-  const Eigen::MatrixXd scaled = scale.asDiagonal() * K * scale.asDiagonal();
-  const double largest = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled).eigenvalues().maxCoeff();
-  EXPECT_NEAR(largest, expected().largestOverLumped, 1e-12 * largest);
-}
-
 Body clampedBar(std::string_view element, int cells, bool clamped = true) {
-  BarOptions options;
-  options.size = {0.2, 0.04, 0.04};
-  options.cells = {5 * cells, cells, cells};
-  options.element = element;
-  Body body(generateBar(options), makeMaterial("stvk", 30e3, 0.3, 1000));
+  Body body(test::referenceBar(element, cells), makeMaterial("stvk", 30e3, 0.3, 1000));
   if (clamped)
     for (const std::int32_t node : body.mesh().nodeSets.at("x-min")) body.constraints().fix(node);
   return body;
 }
-Eigen::Index tipOf(const Body& body) {
-  Eigen::Index tip = 0;
-  (body.mesh().X.colwise() - Eigen::Vector3d(0.2, 0.02, 0.02)).colwise().squaredNorm().minCoeff(&tip);
-  return tip;
-}
+std::int32_t tipOf(const Body& body) { return test::nodeNearest(body.mesh(), {0.2, 0.02, 0.02}); }
 
 struct Cantilever {
   std::string_view element;
@@ -97,7 +34,11 @@ struct Cantilever {
 class ReferenceCantileverTest : public ::testing::TestWithParam<Cantilever> {};
 INSTANTIATE_TEST_SUITE_P(
     Bars, ReferenceCantileverTest,
-    ::testing::Values(Cantilever{"wedge6", 2, -3.672122187e-4, -2.536326319e-2, -8.892545802e-2},
+    ::testing::Values(Cantilever{"hex8", 2, -3.678957725e-4, -2.545046848e-2, -8.910916125e-2},
+                      Cantilever{"hex8", 4, -4.069694493e-4, -2.941105599e-2, -9.527032992e-2},
+                      Cantilever{"tet4", 2, -2.176941877e-4, -1.115010843e-2, -5.931776088e-2},
+                      Cantilever{"tet4", 4, -3.359517245e-4, -2.235984802e-2, -8.367191181e-2},
+                      Cantilever{"wedge6", 2, -3.672122187e-4, -2.536326319e-2, -8.892545802e-2},
                       Cantilever{"wedge6", 4, -4.061092236e-4, -2.931616485e-2, -9.510617339e-2},
                       Cantilever{"pyramid5", 2, -3.394148599e-4, -2.267257056e-2, -8.453181137e-2},
                       Cantilever{"pyramid5", 4, -3.971877444e-4, -2.846686192e-2, -9.388526275e-2}),
@@ -106,7 +47,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST_P(ReferenceCantileverTest, BendsAsInTheReferencePrograms) {
   const Cantilever& expected = GetParam();
   Body body = clampedBar(expected.element, expected.cells);
-  const Eigen::Index tip = tipOf(body);
+  const std::int32_t tip = tipOf(body);
   const auto bend = [&](double newton, int steps) {
     body.externalForce() = consistentTraction(
         body.mesh(), [](const Eigen::Vector3d& X) { return X[0] > 0.2 - 1e-9; },
@@ -127,7 +68,13 @@ struct Frequencies {
 };
 class ReferenceFrequencyTest : public ::testing::TestWithParam<Frequencies> {};
 INSTANTIATE_TEST_SUITE_P(Bars, ReferenceFrequencyTest,
-                         ::testing::Values(Frequencies{"wedge6",
+                         ::testing::Values(Frequencies{"hex8",
+                                                       {0.92412032, 0.92412032, 3.4633131, 4.9039446, 4.9039446,
+                                                        6.9122981, 10.304661, 11.543396, 11.543396, 16.892274}},
+                                           Frequencies{"tet4",
+                                                       {1.1107912, 1.2997931, 4.8610199, 5.6729047, 6.2395716,
+                                                        6.9701448, 12.989270, 13.878184, 14.462138, 20.472363}},
+                                           Frequencies{"wedge6",
                                                        {0.92574416, 1.2010296, 4.2284852, 4.9086386, 5.9605447,
                                                         6.9362148, 11.544778, 12.544461, 13.451765, 18.858983}},
                                            Frequencies{"pyramid5",
@@ -157,14 +104,16 @@ struct Fall {
 class ReferenceFallTest : public ::testing::TestWithParam<Fall> {};
 INSTANTIATE_TEST_SUITE_P(
     Bars, ReferenceFallTest,
-    ::testing::Values(Fall{"wedge6", {-5.81223e-3, -2.70948e-2, -5.03654e-2, -7.24631e-2, -8.21162e-2}, 3e-6},
+    ::testing::Values(Fall{"hex8", {-5.811532e-3, -2.709412e-2, -5.039456e-2, -7.255987e-2, -8.233314e-2}, 5e-7},
+                      Fall{"tet4", {-6.321336e-3, -2.457919e-2, -4.244283e-2, -5.061278e-2, -4.604612e-2}, 5e-7},
+                      Fall{"wedge6", {-5.81223e-3, -2.70948e-2, -5.03654e-2, -7.24631e-2, -8.21162e-2}, 3e-6},
                       Fall{"pyramid5", {-5.95549e-3, -2.699158e-2, -4.959463e-2, -6.997363e-2, -7.740339e-2}, 2e-6}),
     [](const auto& test) { return std::string(test.param.element); });
 
 TEST_P(ReferenceFallTest, FallsAsInTheReferencePrograms) {
   Body body = clampedBar(GetParam().element, 2);
   body.addBodyForce({0, 0, -1});
-  const Eigen::Index tip = tipOf(body);
+  const std::int32_t tip = tipOf(body);
   // Richardson's extrapolation of two steps takes the h² of the error out.
   const auto fall = [&](int stepsPerTenth) {
     BodySystem system(body);
