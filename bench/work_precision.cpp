@@ -18,9 +18,9 @@
 
 #include <fmt/format.h>
 
-#include <ringwatch/app/command/compare.h>
-#include <ringwatch/app/command/integrator_catalog.h>
+#include <ringwatch/app/analysis/compare.h>
 #include <ringwatch/app/command/verify.h>
+#include <ringwatch/app/scene/integrator_catalog.h>
 #include <ringwatch/base/atomic_file.h>
 #include <ringwatch/verify/work_precision/error_against_time.h>
 #ifdef RINGWATCH_HAS_SUNDIALS

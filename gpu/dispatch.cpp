@@ -1,6 +1,6 @@
 #include <ringwatch/gpu/body/patch_operations.h>
 #include <ringwatch/gpu/certificate/certificate_operations.h>
-#include <ringwatch/gpu/tangents/tangent_operations.h>
+#include <ringwatch/gpu/imex/tangent_operations.h>
 #include <ringwatch/materials/registry.h>
 
 namespace ringwatch {

@@ -10,6 +10,7 @@
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/meshes/jacobian.h>
+#include <ringwatch/monitor/element_strain.h>
 
 namespace ringwatch {
 namespace {
@@ -58,18 +59,27 @@ ElementCause elementCause(const Body& body, NodeVectorsView x, ElementRef elemen
   return cause;
 }
 
-std::string causeText(const ElementCause& cause) {
+ElementStrain strainOf(const ElementCause& cause) {
   constexpr double worthMention = 1.05;
-  std::string text;
-  if (!cause.finite)
-    text = "not finite";
-  else if (cause.leastDeterminant <= 0)
-    text = joinText("inverted, det F = ", twoDigits(cause.leastDeterminant));
-  else if (std::max(cause.largestStretch, 1 / cause.leastStretch) >= worthMention)
-    text = cause.largestStretch * cause.leastStretch >= 1 ? joinText("stretched ", twoDigits(cause.largestStretch))
-                                                          : joinText("compressed to ", twoDigits(cause.leastStretch));
+  if (!cause.finite) return ElementStrain::notFinite;
+  if (cause.leastDeterminant <= 0) return ElementStrain::inverted;
+  if (std::max(cause.largestStretch, 1 / cause.leastStretch) < worthMention) return ElementStrain::none;
+  return cause.largestStretch * cause.leastStretch >= 1 ? ElementStrain::stretched : ElementStrain::compressed;
+}
+
+std::string causeText(const ElementCause& cause) {
+  const ElementStrain strain = strainOf(cause);
+  std::string text(elementStrainNames.nameOf(strain));
+  if (strain == ElementStrain::none)
+    text = cause.badlyShaped() ? "" : "well shaped, " + text;
+  else if (strain == ElementStrain::inverted)
+    text += ", det F = " + twoDigits(cause.leastDeterminant);
+  else if (strain == ElementStrain::stretched)
+    text += " " + twoDigits(cause.largestStretch);
+  else if (strain == ElementStrain::compressed)
+    text += " to " + twoDigits(cause.leastStretch);
   if (cause.badlyShaped()) text += joinText(text.empty() ? "" : "; ", cause.shape.text());
-  return text.empty() ? "well shaped, unstrained" : text;
+  return text;
 }
 
 }  // namespace ringwatch

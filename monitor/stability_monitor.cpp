@@ -17,11 +17,7 @@ struct StabilityMonitor::Impl {
   Impl(const Body& b, const MonitorOptions& o)
       : body(b), options(o), tracker(o.clearObservations), energies(roundingEnergy(b)), bodyVersion(b.version()) {
     if (o.mode != MonitorMode::metric) bracket.emplace(b, o.width, o.budget, o.steps, o.workInAdvance, o.every);
-    if (!o.metric.empty() && !o.metricElsewhere) metric = makeMetricEvaluator(o.metric, b);
-  }
-  /// The metric's highest value at x, rad²/s².
-  double metricLambda(NodeVectorsView x) {
-    return options.metricElsewhere ? options.metricElsewhere(x) : metric->highest(x);
+    if (!o.metric.empty()) metric = makeMetricEvaluator(o.metric, b);
   }
 
   const Body& body;
@@ -136,7 +132,7 @@ struct StabilityMonitor::Impl {
         absent(EventKind::indefinite);
     }
     if (!options.metric.empty()) {
-      report.metricStep = (1 - options.margin) * options.limit(metricLambda(x));
+      report.metricStep = (1 - options.margin) * options.limit(metric->highest(x));
       report.elementsRefreshed += static_cast<std::int64_t>(body.mesh().elementCount());
       tellInverted(body.leastDeterminant(x, Body::Among::whereInversionIsAnError), x);
     }

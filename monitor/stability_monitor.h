@@ -33,12 +33,9 @@ struct MonitorOptions {
                          ///< run, the rule that makes a step of the highest eigenvalue
   MonitorMode mode = MonitorMode::bracket;
   std::string metric = {};  ///< Fierz 2013's way: a metric with a margin, e.g. "reduced-1-ring"; "" for none
-  /// Evaluates the metric elsewhere, e.g. on a GPU: its highest value at x (3×N, m), rad²/s², NaN where the tangent is
-  /// not finite. Empty: here.
-  std::function<double(NodeVectorsView x)> metricElsewhere = {};
-  double margin = 0.1;  ///< of the metric's step: h_metric (1 - margin)
-  int every = 1;        ///< steps between evaluations
-  double width = 0.05;  ///< of the bracket, relative to the step, that the proven side is steered to
+  double margin = 0.1;      ///< of the metric's step: h_metric (1 - margin)
+  int every = 1;            ///< steps between evaluations
+  double width = 0.05;      ///< of the bracket, relative to the step, that the proven side is steered to
   /// What the bracket may take after the first observation, for both sides and for searches, as a share of a step's own
   /// work, counted (WorkAccount); 0: the tests of balls and one bound from below; from 100 on: no limit. When it is
   /// used up the proof stays and the bracket becomes wider. Telling whether h is proven unstable, while it is not

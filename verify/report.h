@@ -19,7 +19,7 @@ struct StudyTable {
 };
 
 /// A measured number and the limit that it is held to. No study says itself whether it passed: that follows from the
-/// numbers, and tests/verify states every limit a second time.
+/// numbers.
 struct StudyCheck {
   enum class Sense { near, atMost, atLeast };
   std::string name;  // what was measured, with its unit where it has one; unique within the report

@@ -23,10 +23,4 @@ const HelpTopic* findHelpTopic(std::string_view name);
 /// The overview of the topics.
 std::string helpTopicListing();
 
-/// What every help text says of units.
-inline constexpr std::string_view unitsText =
-    "Quantities are in any consistent units, such as m, s, kg, N, Pa or mm, s, t, N, MPa. The units that help texts "
-    "and\n"
-    "results name are those of the first set: read them as yours.\n";
-
 }  // namespace ringwatch

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include <ringwatch/app/command/provenance.h>
+#include <ringwatch/app/output/provenance.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/infinity.h>
 

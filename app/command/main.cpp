@@ -12,10 +12,10 @@
 #include <unistd.h>
 
 #include <ringwatch/app/command/command_line.h>
-#include <ringwatch/app/command/exit_status.h>
 #include <ringwatch/app/command/launch.h>
 #include <ringwatch/app/command/process.h>
 #include <ringwatch/app/command/verify.h>
+#include <ringwatch/app/output/exit_status.h>
 #include <ringwatch/app/report/run_report.h>
 
 namespace ringwatch {

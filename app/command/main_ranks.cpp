@@ -7,9 +7,9 @@
 
 #include <ringwatch/app/command/command_line.h>
 #include <ringwatch/app/command/launch.h>
-#include <ringwatch/app/command/rank_program.h>
 #include <ringwatch/app/command/verify.h>
 #include <ringwatch/app/ranks/rank_inspect.h>
+#include <ringwatch/app/ranks/rank_program.h>
 #include <ringwatch/app/ranks/rank_run.h>
 #include <ringwatch/app/report/run_report.h>
 

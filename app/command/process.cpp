@@ -18,7 +18,7 @@
 
 #include <fmt/format.h>
 
-#include <ringwatch/app/command/exit_status.h>
+#include <ringwatch/app/output/exit_status.h>
 #include <ringwatch/base/error.h>
 
 namespace ringwatch {

@@ -6,15 +6,15 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include <ringwatch/app/command/exit_status.h>
 #include <ringwatch/app/command/help.h>
-#include <ringwatch/app/command/integrator_catalog.h>
 #include <ringwatch/app/command/schema.h>
 #include <ringwatch/app/command/verify.h>
+#include <ringwatch/app/output/exit_status.h>
 #include <ringwatch/app/output/output_fields.h>
 #include <ringwatch/app/output/report.h>
 #include <ringwatch/app/scene/capabilities.h>
 #include <ringwatch/app/scene/deck_keywords.h>
+#include <ringwatch/app/scene/integrator_catalog.h>
 #include <ringwatch/app/scene/probe_quantity.h>
 #include <ringwatch/app/scene/scene_keys.h>
 #include <ringwatch/app/scene/scene_mesh.h>

@@ -1,5 +1,5 @@
-#include <ringwatch/app/command/integrator_catalog.h>
 #include <ringwatch/app/command/verify.h>
+#include <ringwatch/app/scene/integrator_catalog.h>
 #include <ringwatch/base/registry.h>
 #include <ringwatch/verify/elements/elements.h>
 #include <ringwatch/verify/fierz2013/fierz2013.h>

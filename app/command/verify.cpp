@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include <ringwatch/app/command/integrator_catalog.h>
 #include <ringwatch/app/output/gnuplot.h>
+#include <ringwatch/app/scene/integrator_catalog.h>
 #include <ringwatch/base/atomic_file.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/subprocess.h>

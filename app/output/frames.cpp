@@ -40,14 +40,6 @@ bool removeFrame(const std::filesystem::path& folder, std::size_t number) {
 
 }  // namespace
 
-std::vector<std::string> frameFieldNames() {
-  std::vector<std::string> names;
-  for (const MetricInfo& info : allMetrics()) names.emplace_back(info.name);
-  for (const char* name : {"metric", "verdict", "handler", "critical_step"}) names.emplace_back(name);
-  for (const StressMeasure& measure : allStressMeasures()) names.emplace_back(measure.name);
-  return names;
-}
-
 std::vector<PvdEntry> framesOfRun(const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / "run.pvd";
   const std::string text = readBytes(file, "; a run writes it when its scene has output.every");

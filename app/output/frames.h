@@ -16,8 +16,6 @@
 
 namespace ringwatch {
 
-/// What [output] fields may name: cell data of the frames. "critical_step" is an older name of "reduced-1-ring".
-std::vector<std::string> frameFieldNames();
 /// Name of a field with the step of each element by a metric: "optimistic step by reduced-1-ring (s)". An element's
 /// step is a statement about the whole body: safe, the body's critical step is at least the least of these; optimistic,
 /// it is at most the least of these; an estimate may lie on either side.

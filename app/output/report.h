@@ -7,8 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <ringwatch/app/run/run_result.h>
-#include <ringwatch/app/scene/scene.h>
+#include <ringwatch/meshes/mesh.h>
 
 namespace ringwatch {
 
@@ -27,12 +26,6 @@ nlohmann::ordered_json elementJson(const Mesh& mesh, const std::optional<Element
 /// "1600 tet4, 64 hex8"
 std::string elementCounts(const ElementCounts& elements);
 std::string elementCounts(const Mesh& mesh);
-
-/// summary.json of a run.
-nlohmann::ordered_json summaryJson(const Scene& scene, const Body& body, const RunResult& result);
-/// The few lines that a run says of itself.
-std::string summaryText(const Scene& scene, const Body& body, const RunResult& result,
-                        const std::filesystem::path& folder);
 
 /// Version of the program.
 std::string_view programVersion();

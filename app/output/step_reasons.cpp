@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include <ringwatch/app/command/elements_in_the_way.h>
+#include <ringwatch/app/output/elements_in_the_way.h>
 #include <ringwatch/app/output/report.h>
 #include <ringwatch/app/scene/capabilities.h>
 #include <ringwatch/base/infinity.h>

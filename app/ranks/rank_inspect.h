@@ -1,5 +1,5 @@
 #pragma once
-#include <ringwatch/app/command/inspect.h>
+#include <ringwatch/app/analysis/inspect.h>
 #include <ringwatch/distributed/ranks.h>
 
 namespace ringwatch {

@@ -9,16 +9,17 @@
 
 #include <fmt/format.h>
 
-#include <ringwatch/app/command/integrator_catalog.h>
-#include <ringwatch/app/command/provenance.h>
+#include <ringwatch/app/output/provenance.h>
 #include <ringwatch/app/output/report.h>
 #include <ringwatch/app/ranks/rank_frames.h>
 #include <ringwatch/app/ranks/rank_threads.h>
 #include <ringwatch/app/ranks/together.h>
 #include <ringwatch/app/run/checkpoint.h>
+#include <ringwatch/app/run/run_summary.h>
 #include <ringwatch/app/run/runner.h>
 #include <ringwatch/app/scene/body_notes.h>
 #include <ringwatch/app/scene/capabilities.h>
+#include <ringwatch/app/scene/integrator_catalog.h>
 #include <ringwatch/app/scene/scene_state.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/body/nodes_of.h>

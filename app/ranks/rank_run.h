@@ -2,7 +2,7 @@
 #include <functional>
 #include <string>
 
-#include <ringwatch/app/command/rank_program.h>
+#include <ringwatch/app/ranks/rank_program.h>
 #include <ringwatch/distributed/ranks.h>
 
 namespace ringwatch {

@@ -3,7 +3,7 @@
 #include <new>
 #include <string>
 
-#include <ringwatch/app/command/exit_status.h>
+#include <ringwatch/app/output/exit_status.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/distributed/partition.h>
 #include <ringwatch/distributed/ranks.h>

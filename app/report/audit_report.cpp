@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include <ringwatch/app/command/audit.h>
+#include <ringwatch/app/analysis/audit.h>
 #include <ringwatch/app/output/frames.h>
 #include <ringwatch/app/report/frame_choice.h>
 #include <ringwatch/app/report/report_page.h>
@@ -194,7 +194,7 @@ ReportResult writeAuditReport(const Audit& audit, const std::filesystem::path& f
   Json events = Json::array();
   for (const AuditEvent& event : audit.events) {
     const double time = timeOf(audit.states[event.state]);
-    page.marks.push_back({time, event.text.substr(0, event.text.find(':'))});
+    page.marks.push_back({time, event.name});
     events.push_back({{"kind", event.key}, {"time", time}, {"text", sentence(event.text)}});
   }
   std::ranges::stable_sort(page.marks, {}, &ChartMark::time);

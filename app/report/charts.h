@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include <ringwatch/app/command/distribution.h>
+#include <ringwatch/app/analysis/distribution.h>
 #include <ringwatch/app/report/mesh_pack.h>
 #include <ringwatch/app/report/run_history.h>
 #include <ringwatch/verify/report.h>

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <ringwatch/app/command/step_answer.h>
+#include <ringwatch/app/analysis/step_answer.h>
 #include <ringwatch/app/output/frames.h>
 #include <ringwatch/app/output/step_reasons.h>
 #include <ringwatch/app/report/report_page.h>

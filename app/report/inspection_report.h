@@ -1,7 +1,7 @@
 #pragma once
 #include <filesystem>
 
-#include <ringwatch/app/command/inspect.h>
+#include <ringwatch/app/analysis/inspect.h>
 #include <ringwatch/app/report/run_report.h>
 
 namespace ringwatch {

@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
-#include <ringwatch/app/command/integrator_catalog.h>
 #include <ringwatch/app/output/frames.h>
 #include <ringwatch/app/scene/capabilities.h>
+#include <ringwatch/app/scene/integrator_catalog.h>
 #include <ringwatch/app/scene/scene.h>
 #include <ringwatch/app/scene/scene_discrete.h>
 #include <ringwatch/base/error.h>

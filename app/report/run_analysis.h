@@ -8,8 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include <ringwatch/app/command/distribution.h>
-#include <ringwatch/app/command/elements_in_the_way.h>
+#include <ringwatch/app/analysis/distribution.h>
+#include <ringwatch/app/output/elements_in_the_way.h>
 #include <ringwatch/integrators/integrator.h>
 #include <ringwatch/meshes/formats/vtu_frame.h>
 

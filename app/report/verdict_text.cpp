@@ -40,6 +40,12 @@ std::string elementAndCause(const Json& event) {
   return text;
 }
 
+/// Whether the element that an event names is badly shaped.
+bool badShapeOf(const Json* event) {
+  const auto diagnosis = event ? event->find("diagnosis") : Json::const_iterator();
+  return event && diagnosis != event->end() && diagnosis->is_object() && diagnosis->value("badly_shaped", false);
+}
+
 std::string stepsText(const Json& summary) {
   const double least = numberOf(summary, "smallest_step").value_or(0),
                largest = numberOf(summary, "largest_step").value_or(0);
@@ -359,125 +365,187 @@ std::optional<SmallestSafe> smallestSafe(const RunHistory& history, std::optiona
   return least;
 }
 
-PageVerdict verdictOf(const Json& summary, const std::optional<RunHistory>& history, const RunAnalysis* analysis) {
-  if (!summary.is_object()) return withoutSummary(history);
-  if (const auto live = summary.find("live"); live != summary.end() && live->is_object())
-    return whileRunning(summary, *live, history);
-  using Tone = PageVerdict::Tone;
-  PageVerdict verdict;
-  const std::string word = textOf(summary, "verdict"), reason = textOf(summary, "exit_reason");
-  const double steps = numberOf(summary, "steps").value_or(0), time = numberOf(summary, "end_time").value_or(0),
-               certified = numberOf(summary, "certified_steps").value_or(0),
-               watched = numberOf(summary, "watched_steps").value_or(0);
+namespace {
+
+/// What the results of a run say of it, as data; the texts below are made of it.
+struct Diagnosis {
+  const Json& summary;
+  const std::optional<RunHistory>& history;
+  const RunAnalysis* analysis;  // nullptr without one
+  const Json& discrete;         // springs and contact; null without any
+  std::string verdict = textOf(summary, "verdict"), reason = textOf(summary, "exit_reason");
+  double steps = number("steps"), time = number("end_time"), certified = number("certified_steps"),
+         watched = number("watched_steps"), taken = number("largest_step");
+  /// The first of each kind; nullptr where there is none.
   const Json *violated = firstEvent(summary, "violated"), *inverted = firstEvent(summary, "inverted"),
              *energy = firstEvent(summary, "energy-balance"), *indefinite = firstEvent(summary, "indefinite"),
              *nonFinite = firstEvent(summary, "non-finite");
-  std::string& text = verdict.sentence;
-  const bool notProven = word == "not-certified" && watched > 0;
+  bool handled = hasHandler(summary), governs = discrete.is_object() && discreteGoverns(summary),
+       discreteSetsStep = discrete.is_object() && numberOf(discrete, "governed_observations").value_or(0) > 0,
+       touches = discrete.is_object() && numberOf(discrete, "contact_nodes").value_or(0) > 0;
 
-  if (word == "certified") {
-    verdict.tone = Tone::good;
-    verdict.title = "Stable";
-    text = fmt::format(
-        "Each of the {:.0f} steps to t = {:.6g} s was proven to be below the critical step of {}, with {}.", watched,
-        time, hasHandler(summary) ? "what the handler left explicit" : "its state", stepsText(summary));
-  } else if (notProven) {
-    verdict.title = "Not proven";
-    text = fmt::format(
-        "No step to t = {:.6g} s was seen to be unstable, but only {:.0f} of {:.0f} steps were proven stable, with {}.",
-        time, certified, watched, stepsText(summary));
-  } else if (word == "violated") {
-    verdict.tone = Tone::bad;
-    verdict.title = "Step too large";
-  } else if (word == "unstable") {
-    verdict.tone = Tone::bad;
-    verdict.title = "Unstable";
-  } else {
-    verdict.title = "Not watched";
-    text = fmt::format("Nothing in this run proves its steps: {:.0f} steps to t = {:.6g} s, with {}.", steps, time,
-                       stepsText(summary));
-  }
-  if (reason == "interrupted" || reason == "step-collapsed" || reason == "step-failed")
+  double number(const char* key) const { return numberOf(summary, key).value_or(0); }
+  std::optional<double> before() const { return violated ? numberOf(*violated, "time") : std::nullopt; }
+};
+
+using Tone = PageVerdict::Tone;
+
+/// What is said first, by the verdict of a run. opening: {steps} taken, {proven} and {watched} ones, until {time} s,
+/// {what} was proven, and the sizes of the steps, {h}.
+struct Opening {
+  std::string_view verdict;
+  Tone tone;
+  std::string_view title, opening;
+};
+constexpr Opening openings[] = {
+    {"certified", Tone::good, "Stable",
+     "Each of the {watched:.0f} steps to t = {time:.6g} s was proven to be below the critical step of {what}, with "
+     "{h}."},
+    {"not-certified", Tone::unsure, "Not proven",
+     "No step to t = {time:.6g} s was seen to be unstable, but only {proven:.0f} of {watched:.0f} steps were proven "
+     "stable, with {h}."},
+    {"violated", Tone::bad, "Step too large", ""},
+    {"unstable", Tone::bad, "Unstable", ""},
+    {"", Tone::unsure, "Not watched",
+     "Nothing in this run proves its steps: {steps:.0f} steps to t = {time:.6g} s, with {h}."},
+};
+
+const Opening& openingOf(const Diagnosis& run) {
+  const auto found = std::ranges::find(openings, run.verdict, &Opening::verdict);
+  const bool unwatched = found == std::end(openings) || (run.verdict == "not-certified" && !(run.watched > 0));
+  return unwatched ? *std::rbegin(openings) : *found;
+}
+
+/// What happened, in the order of time after the step that is too large: text of an event, and its element's cause.
+struct Happening {
+  const Json* Diagnosis::*event;
+  std::string (*text)(const Json& event, const std::string& who);
+};
+constexpr Happening happenings[] = {
+    {&Diagnosis::energy,
+     [](const Json& event, const std::string&) {
+       return fmt::format("At {} the energy balance is off by {:.0f} % of the largest energy so far.", when(event),
+                          100 * numberOf(event, "value").value_or(0));
+     }},
+    {&Diagnosis::indefinite,
+     [](const Json& event, const std::string& who) {
+       return fmt::format("The tangent has a negative eigenvalue at {}{}.", when(event),
+                          who.empty() ? "" : ", most at " + who);
+     }},
+    {&Diagnosis::inverted,
+     [](const Json& event, const std::string& who) { return fmt::format("At {}, {}.", when(event), who); }},
+    {&Diagnosis::nonFinite,
+     [](const Json& event, const std::string&) {
+       return fmt::format("At {} the state is no longer finite.", when(event));
+     }},
+};
+
+/// What to do, in this order, each where it applies.
+struct Remedy {
+  bool (*applies)(const Diagnosis& run, Tone tone);
+  void (*add)(PageVerdict& verdict, const Diagnosis& run);
+};
+bool isStable(const Diagnosis& run, Tone) { return run.verdict == "certified"; }
+bool isOpen(const Diagnosis& run) { return run.verdict == "not-certified" && run.watched > 0; }
+constexpr Remedy remedies[] = {
+    {[](const Diagnosis& run, Tone tone) {
+       return (tone == Tone::bad && run.governs) || (isOpen(run) && run.discreteSetsStep);
+     },
+     [](PageVerdict& verdict, const Diagnosis& run) { advise(verdict, softerContact(run.discrete, run.taken)); }},
+    {[](const Diagnosis& run, Tone tone) { return tone == Tone::bad || isOpen(run); },
+     [](PageVerdict& verdict, const Diagnosis& run) {
+       adviseSmallerStep(verdict, run.summary, run.history, run.before(), run.analysis);
+       if (!run.governs) adviseHandler(verdict, run.summary, run.analysis);
+     }},
+    {[](const Diagnosis& run, Tone tone) { return tone == Tone::bad && !run.analysis && badShapeOf(run.violated); },
+     [](PageVerdict& verdict, const Diagnosis& run) {
+       verdict.remedies.push_back(fmt::format("Remesh there: the element in the way is a {} at rest.",
+                                              textOf(*objectIn(*run.violated, "diagnosis"), "shape")));
+     }},
+    {[](const Diagnosis& run, Tone tone) { return tone == Tone::bad && run.inverted; },
+     [](PageVerdict& verdict, const Diagnosis&) {
+       verdict.remedies.emplace_back(
+           "An inverted element is a state that no smaller step mends from there on: look at what happened before it.");
+     }},
+    {isStable,
+     [](PageVerdict& verdict, const Diagnosis& run) {
+       const auto least = run.history && !run.handled ? smallestSafe(*run.history) : std::nullopt;
+       const bool room = least && least->safe > run.taken && run.taken > 0;
+       verdict.remedies.push_back(
+           "Nothing has to be done about the step." +
+           (room ? fmt::format(" A step of {} s was proven in every state on record.", stepRoundedDown(least->safe))
+                 : std::string()));
+       if (run.analysis && !run.handled) advise(verdict, largerSteps(*run.analysis));
+     }},
+    {[](const Diagnosis& run, Tone tone) { return isStable(run, tone) && run.discreteSetsStep; },
+     [](PageVerdict& verdict, const Diagnosis& run) {
+       verdict.remedies.push_back(
+           fmt::format("To go faster: {} set the step at times, not the elements.", discreteName(run.discrete)));
+       advise(verdict, softerContact(run.discrete, run.taken));
+     }},
+    {[](const Diagnosis& run, Tone) { return openingOf(run).verdict.empty(); },
+     [](PageVerdict& verdict, const Diagnosis&) {
+       verdict.remedies.emplace_back("Let the monitor prove the steps: [monitor] mode = \"bracket\" or \"threshold\".");
+     }},
+    {[](const Diagnosis& run, Tone) { return run.energy && !run.violated && run.touches; },
+     [](PageVerdict& verdict, const Diagnosis&) {
+       verdict.remedies.emplace_back(
+           "Where every step is proven and the energy is off all the same, contact that begins within a step may be "
+           "what feeds it: a softer penalty or a smaller step lets it last more steps.");
+     }},
+    {[](const Diagnosis& run, Tone) { return run.indefinite != nullptr; },
+     [](PageVerdict& verdict, const Diagnosis&) {
+       verdict.remedies.emplace_back(
+           "The negative eigenvalue is not about the step, and no step cures it: the state itself is unstable there, "
+           "as when something buckles.");
+     }},
+};
+
+}  // namespace
+
+PageVerdict verdictOf(const Json& summary, const std::optional<RunHistory>& history, const RunAnalysis* analysis) {
+  if (!summary.is_object()) return withoutSummary(history);
+  if (const Json* live = objectIn(summary, "live")) return whileRunning(summary, *live, history);
+  const Diagnosis run{summary, history, analysis, discreteForces(summary)};
+  const Opening& opening = openingOf(run);
+  PageVerdict verdict;
+  verdict.tone = opening.tone;
+  verdict.title = opening.title;
+  std::string& text = verdict.sentence;
+  text = fmt::format(fmt::runtime(opening.opening), fmt::arg("steps", run.steps), fmt::arg("proven", run.certified),
+                     fmt::arg("watched", run.watched), fmt::arg("time", run.time),
+                     fmt::arg("what", run.handled ? "what the handler left explicit" : "its state"),
+                     fmt::arg("h", stepsText(summary)));
+  if (run.reason == "interrupted" || run.reason == "step-collapsed" || run.reason == "step-failed")
     text += fmt::format(" It did not reach its end: {}.", textOf(summary, "exit_text"));
-  if (verdict.tone == Tone::good && reason != "end") verdict.tone = Tone::unsure;
+  if (verdict.tone == Tone::good && run.reason != "end") verdict.tone = Tone::unsure;
 
   const auto say = [&text](const std::string& sentence) { text += (text.empty() ? "" : " ") + sentence; };
-  const Json& discrete = discreteForces(summary);
-  const bool contactGoverns = discrete.is_object() && discreteGoverns(summary);
-  if (violated) {
+  if (const Json* violated = run.violated) {
     const std::string who = elementAndCause(*violated);
     say(fmt::format("From {} on, {} is above the critical step{}.", when(*violated), stepsText(summary),
-                    contactGoverns ? discreteCause(*violated, discrete)
-                    : who.empty()  ? ""
-                                   : "; in the way is " + who));
-    if (reason == "violated") say("The run was stopped before it took that step.");
-    if (contactGoverns) text += contactText(discrete, energy ? numberOf(*energy, "time").value_or(infinity) : infinity);
+                    run.governs   ? discreteCause(*violated, run.discrete)
+                    : who.empty() ? ""
+                                  : "; in the way is " + who));
+    if (run.reason == "violated") say("The run was stopped before it took that step.");
+    if (run.governs)
+      text += contactText(run.discrete, run.energy ? numberOf(*run.energy, "time").value_or(infinity) : infinity);
+    verdict.lead = text.size();
   }
-  if (violated) verdict.lead = text.size();
-  // What followed, in the order of time.
   std::vector<std::pair<double, std::string>> followed;
-  const auto follows = [&followed](const Json& event, std::string sentence) {
-    followed.emplace_back(numberOf(event, "step").value_or(0), std::move(sentence));
-  };
-  if (energy)
-    follows(*energy, fmt::format("At {} the energy balance is off by {:.0f} % of the largest energy so far.",
-                                 when(*energy), 100 * numberOf(*energy, "value").value_or(0)));
-  if (indefinite) {
-    const std::string who = elementAndCause(*indefinite);
-    follows(*indefinite, fmt::format("The tangent has a negative eigenvalue at {}{}.", when(*indefinite),
-                                     who.empty() ? "" : ", most at " + who));
-  }
-  if (inverted) follows(*inverted, fmt::format("At {}, {}.", when(*inverted), elementAndCause(*inverted)));
-  if (nonFinite) follows(*nonFinite, fmt::format("At {} the state is no longer finite.", when(*nonFinite)));
+  for (const Happening& one : happenings)
+    if (const Json* event = run.*one.event)
+      followed.emplace_back(numberOf(*event, "step").value_or(0), one.text(*event, elementAndCause(*event)));
   std::ranges::stable_sort(followed, {}, &std::pair<double, std::string>::first);
   for (const auto& [step, sentence] : followed) say(sentence);
-  if (!nonFinite && reason == "non-finite")
-    say(fmt::format("After step {:.0f} positions or velocities are not finite.", steps));
+  if (!run.nonFinite && run.reason == "non-finite")
+    say(fmt::format("After step {:.0f} positions or velocities are not finite.", run.steps));
   if (verdict.tone != Tone::bad) text += roomText(summary, history);
-  if (discrete.is_object() && !contactGoverns) text += governedText(discrete);
+  if (run.discrete.is_object() && !run.governs) text += governedText(run.discrete);
   text += handlerText(summary);
   if (const Json* why = objectIn(summary, "why")) text += reasonsText(*why, " ", "");
-
-  const std::optional<double> before = violated ? numberOf(*violated, "time") : std::nullopt;
-  const double taken = numberOf(summary, "largest_step").value_or(0);
-  const bool discreteSetsStep = discrete.is_object() && numberOf(discrete, "governed_observations").value_or(0) > 0;
-  if (verdict.tone == Tone::bad) {
-    if (contactGoverns) advise(verdict, softerContact(discrete, taken));
-    adviseSmallerStep(verdict, summary, history, before, analysis);
-    if (!contactGoverns) adviseHandler(verdict, summary, analysis);
-    if (inverted)
-      verdict.remedies.emplace_back(
-          "An inverted element is a state that no smaller step mends from there on: look at what happened before it.");
-  } else if (word == "certified") {
-    const auto least = history ? smallestSafe(*history) : std::nullopt;
-    if (least && least->safe > taken && taken > 0 && !hasHandler(summary))
-      verdict.remedies.push_back(
-          fmt::format("Nothing has to be done about the step. A step of {} s was proven in every state on record.",
-                      stepRoundedDown(least->safe)));
-    else
-      verdict.remedies.emplace_back("Nothing has to be done about the step.");
-    if (analysis && !hasHandler(summary)) advise(verdict, largerSteps(*analysis));
-    if (discreteSetsStep) {
-      verdict.remedies.push_back(
-          fmt::format("To go faster: {} set the step at times, not the elements.", discreteName(discrete)));
-      advise(verdict, softerContact(discrete, taken));
-    }
-  } else if (notProven) {
-    if (discreteSetsStep) advise(verdict, softerContact(discrete, taken));
-    adviseSmallerStep(verdict, summary, history, {}, analysis);
-    adviseHandler(verdict, summary, analysis);
-  } else {
-    verdict.remedies.emplace_back("Let the monitor prove the steps: [monitor] mode = \"bracket\" or \"threshold\".");
-  }
-  if (energy && !violated && discrete.is_object() && numberOf(discrete, "contact_nodes").value_or(0) > 0)
-    verdict.remedies.emplace_back(
-        "Where every step is proven and the energy is off all the same, contact that begins within a step may be what "
-        "feeds it: a softer penalty or a smaller step lets it last more steps.");
-  if (indefinite)
-    verdict.remedies.emplace_back(
-        "The negative eigenvalue is not about the step, and no step cures it: the state itself is unstable there, as "
-        "when "
-        "something buckles.");
+  for (const Remedy& remedy : remedies)
+    if (remedy.applies(run, verdict.tone)) remedy.add(verdict, run);
   return verdict;
 }
 

@@ -11,11 +11,10 @@ namespace ringwatch {
 std::string whyNoDevice();
 /// Steps on a GPU from `state` on: symplectic Euler without damping, alone or with a handler that runs there on top.
 /// The state stays there between calls; each call brings it back. The body, with its loads and constraints, must not
-/// change afterwards. options: of the handler, where there is one, kept by reference. rings: evaluates reduced 1-rings
-/// as the monitor's metric, if all elements are four-node tetrahedra and one GPU takes the steps. devices: numbers of
-/// the GPUs that share them; empty: all. Handlers take one. Throws InputError for what the GPU does not have, or with
-/// need and free memory when it has too little of it.
+/// change afterwards. options: of the handler, where there is one, kept by reference. devices: numbers
+/// of the GPUs that share the steps; empty: all. Handlers take one. Throws InputError for what the GPU does not have,
+/// or with need and free memory when it has too little of it.
 std::unique_ptr<Stepper> makeDeviceStepper(const Body& body, const State& state, const HandlerOptions& options,
-                                           bool rings, const std::vector<int>& devices);
+                                           const std::vector<int>& devices);
 
 }  // namespace ringwatch

@@ -1,8 +1,6 @@
 #include <ringwatch/app/run/device_stepper.h>
 
-#include <algorithm>
 #include <numeric>
-#include <optional>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -11,7 +9,6 @@
 #include <ringwatch/gpu/device_status.h>
 #include <ringwatch/gpu/device_stream.h>
 #include <ringwatch/gpu/imex/device_imex.h>
-#include <ringwatch/gpu/rings/device_rings.h>
 #include <ringwatch/handlers/imex/imex.h>
 
 namespace ringwatch {
@@ -19,16 +16,10 @@ namespace {
 
 class DeviceStepper final : public Stepper {
  public:
-  DeviceStepper(const Body& body, const State& state, const HandlerOptions& options, bool rings,
-                const std::vector<int>& devices)
+  DeviceStepper(const Body& body, const State& state, const HandlerOptions& options, const std::vector<int>& devices)
       : current_(devices.front()), body_(body), options_(options), device_(body, devices), certificate_(device_) {
     device_.setPositions(state.x);
     device_.setVelocities(state.v);
-    const auto& blocks = body.mesh().blocks;
-    if (rings && device_.devices().size() == 1 && std::all_of(blocks.begin(), blocks.end(), [](const MeshBlock& block) {
-          return block.type == elementTypeOf<Tet4>;
-        }))
-      rings_.emplace(device_);
   }
 
   void handle(const std::vector<ElementRef>& elements, double h) override {
@@ -61,11 +52,6 @@ class DeviceStepper final : public Stepper {
   }
   /// An interrupt need not wait longer, nor the certificate to be renewed.
   std::int64_t mostSteps() const override { return 256; }
-  std::function<double(NodeVectorsView)> metric() override {
-    if (!rings_) return {};
-    // They are at the state that the monitor observes.
-    return [this](NodeVectorsView) { return rings_->highest().value; };
-  }
   /// The GPU solves the clusters in its own way.
   std::vector<HandlerFigure> figures(std::vector<HandlerFigure> ofHandler) const override {
     std::erase_if(ofHandler, [](const HandlerFigure& figure) { return figure.ofHost; });
@@ -116,7 +102,6 @@ class DeviceStepper final : public Stepper {
   DeviceBody<double> device_;
   DeviceCertificate certificate_;
   std::unique_ptr<DeviceImex> imex_;
-  std::optional<DeviceRings> rings_;
   double lambda_ = 0;
   bool held_ = false;
   std::int64_t waited_ = 0, watched_ = 0, certified_ = 0, evaluated_ = 0, iterations_ = 0;
@@ -129,14 +114,14 @@ std::string whyNoDevice() {
   return status.available ? "" : status.text;
 }
 std::unique_ptr<Stepper> makeDeviceStepper(const Body& body, const State& state, const HandlerOptions& options,
-                                           bool rings, const std::vector<int>& asked) {
+                                           const std::vector<int>& asked) {
   std::vector<int> devices = asked;
   if (devices.empty()) {
     devices.resize(static_cast<std::size_t>(deviceCount()));
     std::iota(devices.begin(), devices.end(), 0);
   }
   requireDevices(devices);
-  return std::make_unique<DeviceStepper>(body, state, options, rings, devices);
+  return std::make_unique<DeviceStepper>(body, state, options, devices);
 }
 
 }  // namespace ringwatch

@@ -6,10 +6,10 @@
 
 #include <fmt/format.h>
 
-#include <ringwatch/app/command/integrator_catalog.h>
 #include <ringwatch/app/output/report.h>
 #include <ringwatch/app/output/step_reasons.h>
 #include <ringwatch/app/run/checkpoint.h>
+#include <ringwatch/app/scene/integrator_catalog.h>
 #include <ringwatch/body/discrete_forces.h>
 
 namespace ringwatch {

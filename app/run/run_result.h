@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <ringwatch/app/command/exit_status.h>
+#include <ringwatch/app/output/exit_status.h>
 #include <ringwatch/app/scene/scene_discrete.h>
 #include <ringwatch/handlers/handler.h>
 #include <ringwatch/monitor/stability_monitor.h>

@@ -2,15 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <ringwatch/app/command/integrator_catalog.h>
 #include <ringwatch/app/run/device_stepper.h>
 #include <ringwatch/app/run/runner.h>
 #include <ringwatch/app/scene/capabilities.h>
+#include <ringwatch/app/scene/integrator_catalog.h>
 #include <ringwatch/app/scene/scene_state.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/body/domain.h>
 #include <ringwatch/integrators/additive_system.h>
-#include <ringwatch/monitor/bounds/stiff_elements.h>
+#include <ringwatch/monitor/metrics/stiff_elements.h>
 
 namespace ringwatch {
 
@@ -72,11 +72,8 @@ std::unique_ptr<Stepper> RunScheme::onDevice(double h) {
   std::string reason = refusal ? refusal->what : whyNoDevice();
   if (reason.empty()) {
     try {
-      // A handler's monitor watches the explicit elements, the GPU's rings would be those of all.
-      const MetricInfo* metric = findMetric(scene_.metric);
       std::unique_ptr<Stepper> stepper =
-          makeDeviceStepper(body_, sceneInitialState(scene_, *system_), scene_.handlerOptions,
-                            metric != nullptr && metric->runsOnGpu && !handler_, scene_.devices);
+          makeDeviceStepper(body_, sceneInitialState(scene_, *system_), scene_.handlerOptions, scene_.devices);
       if (handler_) stepper->handle(handler_->elements(), h);
       return stepper;
     } catch (const InputError& fault) {

@@ -35,7 +35,7 @@ class WholeMonitor final : public RunMonitor {
 RunWatch::RunWatch(const Scene& scene, const Body& body, StepRule rule, RunResult& result, MakeMonitor make)
     : scene_(scene), body_(body), rule_(std::move(rule)), result_(result), make_(std::move(make)) {}
 
-void RunWatch::begin(Handler* handler, std::function<double(NodeVectorsView)> metric, bool everyState) {
+void RunWatch::begin(Handler* handler, bool everyState) {
   end();
   handler_ = handler;
   everyState_ = everyState;
@@ -61,7 +61,6 @@ void RunWatch::begin(Handler* handler, std::function<double(NodeVectorsView)> me
   wanted.energyTolerance = scene_.energyTolerance;
   if (monitored_) wanted.firstObservationElements = 0;  // too dear at every choice of a handler
   monitored_ = true;
-  wanted.metricElsewhere = std::move(metric);
   if (make_)
     monitor_ = make_(wanted, handler_ ? handler_->partsOfStep() : 1);
   else

@@ -22,10 +22,9 @@ class RunWatch {
   /// where the body is the whole.
   RunWatch(const Scene& scene, const Body& body, StepRule rule, RunResult& result, MakeMonitor make);
 
-  /// Watches the body as it is from here on, or what a handler (nullptr: none) leaves explicit of it. metric: in place
-  /// of the monitor's own evaluation, unless empty. everyState: the states come one by one; else they come at least
-  /// where the scene wants the monitor.
-  void begin(Handler* handler, std::function<double(NodeVectorsView)> metric, bool everyState);
+  /// Watches the body as it is from here on, or what a handler (nullptr: none) leaves explicit of it. everyState: the
+  /// states come one by one; else they come at least where the scene wants the monitor.
+  void begin(Handler* handler, bool everyState);
   /// Nothing is watched until the next begin(); the ends of events are known now.
   void end();
 

@@ -1,3 +1,4 @@
+#include <ringwatch/app/run/run_summary.h>
 #include <ringwatch/app/run/runner.h>
 
 #include <chrono>
@@ -5,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include <ringwatch/app/command/progress.h>
+#include <ringwatch/app/output/progress.h>
 #include <ringwatch/app/output/report.h>
 #include <ringwatch/app/run/checkpoint.h>
 #include <ringwatch/app/run/run_checkpoints.h>

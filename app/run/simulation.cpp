@@ -61,7 +61,7 @@ void Simulation::beginWatch() {
   if (body.elementDamping()) body.elementDamping()->forgetRates();
   if (output) output->certificates().forget();  // what was observed last may be of another body
   Stepper& stepper = scheme->stepper();
-  watch.begin(scheme->handler(), stepper.metric(), stepper.mostSteps() == 1);
+  watch.begin(scheme->handler(), stepper.mostSteps() == 1);
 }
 
 bool Simulation::handleAgain() {

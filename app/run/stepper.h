@@ -1,6 +1,5 @@
 #pragma once
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -37,8 +36,6 @@ class Stepper {
   /// Takes up to `count` steps of h seconds, count <= mostSteps(). lambda > 0, rad²/s²: may prove before each of them
   /// that lambda_max(M⁻¹K) <= lambda, for its own record.
   virtual Taken step(State& state, double h, std::int64_t count, double lambda) = 0;
-  /// What a monitor calls for its metric instead of evaluating it; empty where the monitor is to do it.
-  virtual std::function<double(NodeVectorsView)> metric() { return {}; }
   /// The handler's figures, with what the stepper did in its place.
   virtual std::vector<HandlerFigure> figures(std::vector<HandlerFigure> ofHandler) const { return ofHandler; }
   /// A note on where the steps were taken; "" for none.

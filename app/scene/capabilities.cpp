@@ -4,7 +4,7 @@
 #include <cmath>
 #include <functional>
 
-#include <ringwatch/app/command/integrator_catalog.h>
+#include <ringwatch/app/scene/integrator_catalog.h>
 #include <ringwatch/body/element_stress.h>
 #include <ringwatch/handlers/imex/imex.h>
 #include <ringwatch/handlers/mass_scaling/mass_scaling.h>

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <ringwatch/app/command/integrator_catalog.h>
 #include <ringwatch/app/scene/capabilities.h>
+#include <ringwatch/app/scene/integrator_catalog.h>
 #include <ringwatch/app/scene/scene_keys.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/user_text.h>

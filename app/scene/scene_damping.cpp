@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include <ringwatch/app/command/integrator_catalog.h>
+#include <ringwatch/app/scene/integrator_catalog.h>
 #include <ringwatch/app/scene/scene_sections.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/user_text.h>

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <ringwatch/app/command/help.h>
 #include <ringwatch/app/scene/scene_mesh.h>
 #include <ringwatch/app/scene/scene_sections.h>
 #include <ringwatch/handlers/handler.h>

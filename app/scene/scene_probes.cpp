@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <ringwatch/app/command/integrator_catalog.h>
+#include <ringwatch/app/scene/integrator_catalog.h>
 #include <ringwatch/app/scene/key_binding.h>
 #include <ringwatch/base/nearest_name.h>
 #include <ringwatch/base/user_text.h>

@@ -59,8 +59,8 @@ std::size_t positionOf(const SceneTable& table, const std::string& kind, const s
   if (found == known.end())
     fail(table.at(kind).origin, table.name + "." + kind,
          known.empty() ? fmt::format("{} names a [[{}]]; there is none", inQuotes(name), kind)
-                       : fmt::format("unknown {} {}; {}the scene has {}", kind, inQuotes(name), didYouMean(name, known),
-                                     shortList(known)));
+                       : fmt::format("no [[{}]] is named {}; {}the scene has {}", kind, inQuotes(name),
+                                     didYouMean(name, known), shortList(known)));
   return static_cast<std::size_t>(found - known.begin());
 }
 

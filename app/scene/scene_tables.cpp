@@ -7,7 +7,7 @@
 
 #include <toml++/toml.h>
 
-#include <ringwatch/app/command/number_text.h>
+#include <ringwatch/app/scene/number_text.h>
 #include <ringwatch/app/scene/toml_text.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/input_file.h>

@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include <ringwatch/app/command/integrator_catalog.h>
-#include <ringwatch/app/output/frames.h>
 #include <ringwatch/app/scene/capabilities.h>
+#include <ringwatch/app/scene/integrator_catalog.h>
 #include <ringwatch/app/scene/key_binding.h>
 #include <ringwatch/base/user_text.h>
+#include <ringwatch/body/element_stress.h>
 #include <ringwatch/handlers/handler.h>
 #include <ringwatch/monitor/metrics/metrics.h>
 
@@ -28,6 +28,14 @@ BoundKey<Scene> nameOrNone(const std::string& name, std::string Scene::*member, 
     scene.*member = value == "none" ? "" : value;
   };
   return bound;
+}
+
+/// What [output] fields may name: cell data of the frames. "critical_step" is an older name of "reduced-1-ring".
+std::vector<std::string> frameFieldNames() {
+  std::vector<std::string> names = namesOf(allMetrics());
+  for (const char* name : {"metric", "verdict", "handler", "critical_step"}) names.emplace_back(name);
+  for (const StressMeasure& measure : allStressMeasures()) names.emplace_back(measure.name);
+  return names;
 }
 
 /// Why an integrator has no critical step of elements; "" where it has one.

@@ -25,7 +25,6 @@
 #include <ringwatch/gpu/body/device_body_impl.h>
 #include <ringwatch/gpu/certificate/device_certificate.h>
 #include <ringwatch/gpu/device_status.h>
-#include <ringwatch/gpu/rings/device_rings.h>
 #include <ringwatch/meshes/generators/generators.h>
 #include <ringwatch/meshes/mesh_io.h>
 
@@ -262,26 +261,6 @@ std::optional<StepTimes> measureCertificate(const std::string& name, DeviceBody<
   return {};
 }
 
-/// All reduced rings of a body of tetrahedra at its positions: assembly and eigenvalues.
-template <class Report>
-void measureRings(const std::string& name, DeviceBody<double>& body, const Mesh& mesh, const Report& report) {
-  for (const MeshBlock& block : mesh.blocks)
-    if (block.nodesPerElement() != 4) return;
-  const double start = seconds();
-  DeviceRings rings(body);
-  const double planned = seconds() - start;
-  report("reduced 1-ring",
-         timeOf(
-             [&](std::int64_t n) {
-               for (; n > 0; --n) rings.compute();
-             },
-             [&] { body.synchronize(); }),
-         0);
-  const DeviceRings::Highest highest = rings.highest();
-  std::printf("%-34s reduced 1-ring: highest %.8g rad2/s2 at element %d:%d, planned in %.1f s\n", name.c_str(),
-              highest.value, highest.element.block, highest.element.element, planned);
-}
-
 template <class R>
 void measure(const Case& c, const DevicePlan& plan, const DeviceBodyInput& input) {
   const char* scalar = sizeof(R) == 8 ? "double" : "float";
@@ -327,7 +306,6 @@ void measure(const Case& c, const DevicePlan& plan, const DeviceBodyInput& input
              },
              wait),
          0);
-  if constexpr (std::is_same_v<R, double>) measureRings(name, body, mesh, report);
   if constexpr (std::is_same_v<R, double>) measureCertificate(name, body, mesh, flat ? 1e-5 : 0.1, report);
   if (!body.positions().allFinite()) std::printf("%-34s WARNING: the run did not stay finite\n", name.c_str());
 }

@@ -2,7 +2,7 @@
 #include <ringwatch/gpu/body/device_body_impl.h>
 #include <ringwatch/gpu/imex/device_imex.h>
 #include <ringwatch/gpu/imex/imex_plan.h>
-#include <ringwatch/gpu/tangents/tangent_operations.h>
+#include <ringwatch/gpu/imex/tangent_operations.h>
 
 namespace ringwatch {
 

@@ -93,18 +93,4 @@ class CvodeBdf final : public SundialsIntegrator {
   explicit CvodeBdf(const ImplicitOptions& options = {});
 };
 
-/// How solveEquilibrium went. Only when it is done are the positions those of equilibrium.
-struct EquilibriumStatus {
-  bool done = false;
-  std::string reason;   // why not
-  double residual = 0;  // largest unbalanced force, N
-  int iterations = 0;
-};
-
-/// Moves x (3×N, m) to static equilibrium f(x) = 0 at a fixed time by KINSOL: Newton's method with line search on the
-/// exact tangent. tolerance: of the largest unbalanced force, relative to that at the start. The system must be held
-/// against rigid motion. On failure x is as before.
-EquilibriumStatus solveEquilibrium(DifferentiableSystem& system, double time, NodeVectors& x, double tolerance = 1e-9,
-                                   const ImplicitOptions& options = {});
-
 }  // namespace ringwatch

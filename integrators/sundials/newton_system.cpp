@@ -18,14 +18,6 @@ int NewtonSystem::rightHandSide(double time, N_Vector y, N_Vector dy) {
   return velocities(dy).allFinite() ? 0 : 1;
 }
 
-int NewtonSystem::staticResidual(double time, N_Vector y, N_Vector r) {
-  x_ = positions(y);
-  zero_ = NodeVectors::Zero(3, x_.cols());
-  system_->acceleration(time, x_, zero_, positions(r));
-  positions(r) = -(positions(r) * system_->mass().asDiagonal());
-  return positions(r).allFinite() ? 0 : 1;
-}
-
 void NewtonSystem::clearConstrained(NodeVectors& u) const {
   for (Eigen::Index i = 0; i < u.cols(); ++i)
     for (int c = 0; c < 3; ++c)
@@ -53,13 +45,6 @@ int NewtonSystem::solve(double gamma, N_Vector y, N_Vector b) {
   dv += held_;
   positions(y) = zero_ + gamma * dv;
   return 0;
-}
-
-int NewtonSystem::solveStatic(N_Vector y, N_Vector b) {
-  load_ = positions(b);
-  clearConstrained(load_);
-  lastResidual_ = load_.cwiseAbs().maxCoeff();
-  return solveFree(0, 1, load_, positions(y)) ? 0 : 1;
 }
 
 bool NewtonSystem::solveFree(double mFactor, double kFactor, const NodeVectors& r, NodeVectors& u) {
@@ -207,14 +192,7 @@ std::optional<int> NewtonSystem::gmres(const NodeVectors& r, NodeVectors& u) {
   return iterations;
 }
 
-void NewtonSystem::staticTangentProduct(N_Vector u, N_Vector Ku) {
-  load_ = positions(u);
-  clearConstrained(load_);
-  system_->stiffnessProduct(x_, load_, positions(Ku));
-  clearConstrained(positions(Ku));
-}
-
-SUNLinearSolver NewtonSystem::makeLinearSolver(Callback callback, void* owner, bool iterative) {
+SUNLinearSolver NewtonSystem::makeLinearSolver(Callback callback, void* owner) {
   adapter_ = {callback, owner};
   SUNLinearSolver solver = SUNLinSolNewEmpty(context_);
   solver->content = &adapter_;
@@ -223,12 +201,6 @@ SUNLinearSolver NewtonSystem::makeLinearSolver(Callback callback, void* owner, b
     const auto* adapter = static_cast<const Adapter*>(self->content);
     return adapter->callback(adapter->owner, y, b);
   };
-  if (iterative) {
-    solver->ops->gettype = [](SUNLinearSolver) { return SUNLINEARSOLVER_ITERATIVE; };
-    solver->ops->setatimes = [](SUNLinearSolver, void*, SUNATimesFn) { return 0; };
-    solver->ops->numiters = [](SUNLinearSolver) { return 1; };
-    solver->ops->resnorm = [](SUNLinearSolver) -> realtype { return 0; };
-  }
   solver->ops->free = [](SUNLinearSolver self) {
     self->content = nullptr;
     SUNLinSolFreeEmpty(self);

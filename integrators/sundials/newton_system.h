@@ -36,20 +36,12 @@ class NewtonSystem {
   /// Right-hand side at y; remembers where, since Newton's matrix is taken at the last point evaluated. 0, or 1
   /// (recoverable) when it is not finite.
   int rightHandSide(double time, N_Vector y, N_Vector dy);
-  /// Residual of statics, M a(t, x, 0) with opposite sign, in the positions of r.
-  int staticResidual(double time, N_Vector y, N_Vector r);
   /// Solves (I - γ J) y = b. 0, or 1 when it does not work.
   int solve(double gamma, N_Vector y, N_Vector b);
-  /// Solves K(x) y = b in positions alone.
-  int solveStatic(N_Vector y, N_Vector b);
 
   /// A linear solver for SUNDIALS that calls `callback` of `owner`: int (void* owner, N_Vector y, N_Vector b).
   using Callback = int (*)(void* owner, N_Vector y, N_Vector b);
-  /// iterative: dressed as a matrix-free iteration that converges at once, for KINSOL, which takes no solver that holds
-  /// its own matrix.
-  SUNLinearSolver makeLinearSolver(Callback callback, void* owner, bool iterative = false);
-  /// K(x) u where the residual was evaluated last, zero where motion is prescribed.
-  void staticTangentProduct(N_Vector u, N_Vector Ku);
+  SUNLinearSolver makeLinearSolver(Callback callback, void* owner);
 
   /// Largest component of the last right-hand side of a linear solve.
   double lastResidual() const { return lastResidual_; }

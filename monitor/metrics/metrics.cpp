@@ -110,7 +110,7 @@ const MetricEntry entriesOfLibrary[] = {
     {{"element-1-ring", "the elements at an element's nodes as a body of their own", estimate},
      ring<RingKind::element1>},
     {{"element-2-ring", "the elements at the nodes of the element 1-ring", estimate}, ring<RingKind::element2>},
-    {{"reduced-1-ring", "assembled stiffness cut to the element's own nodes", lowerBound, true},
+    {{"reduced-1-ring", "assembled stiffness cut to the element's own nodes", lowerBound},
      reducedRing,
      nullptr,
      [](const Body& body) -> std::unique_ptr<MetricEvaluator> { return std::make_unique<ReducedRingsAlong>(body); }},

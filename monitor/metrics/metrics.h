@@ -15,8 +15,7 @@ namespace ringwatch {
 struct MetricInfo {
   std::string_view name;
   std::string_view help;
-  Direction direction;     // of the largest element value, against the highest eigenvalue of any whole body
-  bool runsOnGpu = false;  // of a run whose steps are taken there: for tet4 without a handler
+  Direction direction;  // of the largest element value, against the highest eigenvalue of any whole body
 };
 
 using MetricValues = std::vector<std::vector<double>>;  // [block][element], rad²/s²

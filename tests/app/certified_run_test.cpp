@@ -2,7 +2,7 @@
 #include <cmath>
 #include <fstream>
 
-#include <ringwatch/app/command/exit_status.h>
+#include <ringwatch/app/output/exit_status.h>
 #include <ringwatch/meshes/mesh_io.h>
 
 #include "program.h"

@@ -30,20 +30,9 @@ using ::testing::HasSubstr;
 
 /// A stiff cube of 1 kg, which a soft penalty sees as a rigid body: its own modes are a thousand times as fast as
 /// contact.
-constexpr const char* cube = R"([mesh]
-generate = "bar"
-size = [0.1, 0.1, 0.1]
-cells = [1, 1, 1]
-element = "hex8"
-[material]
-model = "stvk"
-young = 1e7
-poisson = 0.3
-density = 1000
-[integrator]
-method = "verlet"
-step = 1e-4
-end = 0.4
+constexpr const char* cube = R"(mesh = {generate = "bar", size = [0.1, 0.1, 0.1], cells = [1, 1, 1], element = "hex8"}
+material = {model = "stvk", young = 1e7, poisson = 0.3, density = 1000}
+integrator = {method = "verlet", step = 1e-4, end = 0.4}
 [output]
 picture = false
 )";
@@ -214,21 +203,10 @@ TEST_F(Contact, SpringsAndPointMassesOscillate) {
   EXPECT_EQ(json("r/summary.json")["discrete_forces"]["springs"], 8);
 }
 
-constexpr const char* block = R"([mesh]
-generate = "bar"
-size = [0.04, 0.04, 0.04]
-cells = [4, 4, 4]
-jitter = 0.1
-[material]
-model = "neo-hookean"
-young = 1e5
-poisson = 0.4
-density = 1000
-[integrator]
-step = 1e-4
-end = 0.02
-[monitor]
-on_violation = "warn"
+constexpr const char* block = R"(mesh = {generate = "bar", size = [0.04, 0.04, 0.04], cells = [4, 4, 4], jitter = 0.1}
+material = {model = "neo-hookean", young = 1e5, poisson = 0.4, density = 1000}
+integrator = {step = 1e-4, end = 0.02}
+monitor = {on_violation = "warn"}
 [[obstacle]]
 kind = "plane"
 point = [0, 0, -0.001]
@@ -364,19 +342,10 @@ TEST_F(Contact, SaysWhenContactGovernsAndWhichPenaltyWouldNot) {
 // A bar of thin slices of hex8, held but along x, that runs into a wall: with a spring k at the nodes of its end its
 // highest mode decays into it, u_i = (-q)^i, and λ = (2d/m)(1 + √(1 + (k/d)²)) for its chain of masses m and springs d.
 TEST_F(Contact, ABarAgainstAPenaltyHasTheStepOfItsClosedForm) {
-  constexpr const char* bar = R"([mesh]
-generate = "bar"
-size = [0.04, 0.01, 0.01]
-cells = [40, 1, 1]
-element = "hex8"
-[material]
-model = "linear"
-young = 30e3
-poisson = 0
-density = 1000
-[integrator]
-step = 1e-5
-end = 2e-3
+  constexpr const char* bar =
+      R"(mesh = {generate = "bar", size = [0.04, 0.01, 0.01], cells = [40, 1, 1], element = "hex8"}
+material = {model = "linear", young = 30e3, poisson = 0, density = 1000}
+integrator = {step = 1e-5, end = 2e-3}
 [[fix]]
 where = "all"
 components = "yz"
@@ -522,7 +491,7 @@ TEST_F(Contact, RefusesWhatCannotBe) {
   refuse("[[contact]]\n", "[[contact]]: there is no [[obstacle]] to touch; give one, with its kind");
   refuse(floor, "there is no [[contact]] with it; give one, which may be empty for the surface");
   refuse(std::string(floor) + contact("obstacle = \"flor\"\n"),
-         "contact.obstacle: unknown obstacle \"flor\"; did you mean \"floor\"? the scene has floor");
+         "contact.obstacle: no [[obstacle]] is named \"flor\"; did you mean \"floor\"? the scene has floor");
   refuse("[[obstacle]]\nkind = \"cube\"\n" + contact(), "obstacle.kind: unknown \"cube\"");
   refuse("[[obstacle]]\nkind = \"plan\"\n" + contact(), "obstacle.kind: unknown \"plan\"; did you mean \"plane\"?");
   refuse("[[obstacle]]\nkind = \"sphere\"\n" + contact(), "obstacle.radius: missing; a sphere needs it");

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <tuple>
 
-#include <ringwatch/app/command/integrator_catalog.h>
+#include <ringwatch/app/scene/integrator_catalog.h>
 #include <ringwatch/body/body.h>
 #include <ringwatch/body/discrete_forces.h>
 #include <ringwatch/monitor/critical_step.h>

@@ -142,16 +142,9 @@ TEST_F(Decks, RunAsTheSceneThatTheyStandFor) {
   run(std::string(soft) + "*AMPLITUDE, NAME=A\n0., 0., 1., 1.\n*BOUNDARY\nleft, ENCASTRE\n" +
       step("*BOUNDARY, AMPLITUDE=A\nright, 1, 1, 0.05\n*CLOAD\n2, 3, -0.1\n6, 3, -0.1\n"));
   EXPECT_THAT(out_, HasSubstr("deck.inp:33: *STEP with NLGEOM: linear elasticity is stvk"));
-  folder_.write("scene.toml", R"([mesh]
-file = "deck.inp"
-[material]
-model = "stvk"
-young = 30e3
-poisson = 0.3
-density = 1000
-[integrator]
-step = 1e-3
-end = 0.05
+  folder_.write("scene.toml", R"(mesh = {file = "deck.inp"}
+material = {model = "stvk", young = 30e3, poisson = 0.3, density = 1000}
+integrator = {step = 1e-3, end = 0.05}
 [[fix]]
 set = "Left"
 [[move]]
@@ -362,16 +355,9 @@ TEST_F(Decks, PressFaces) {
       step("*DSLOAD, AMPLITUDE=A\nskin, P, 400.\n*DLOAD\n1, P6, 100.\n"));
   EXPECT_EQ(folder_.read("r/history.csv"), history);
   EXPECT_THAT(out_, HasSubstr("*SURFACE (line 35)"));
-  folder_.write("scene.toml", R"([mesh]
-file = "deck.inp"
-[material]
-model = "stvk"
-young = 30e3
-poisson = 0.3
-density = 1000
-[integrator]
-step = 1e-3
-end = 0.05
+  folder_.write("scene.toml", R"(mesh = {file = "deck.inp"}
+material = {model = "stvk", young = 30e3, poisson = 0.3, density = 1000}
+integrator = {step = 1e-3, end = 0.05}
 [[pressure]]
 where = "z < 1e-9"
 pressure = 400

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <ringwatch/app/command/integrator_catalog.h>
+#include <ringwatch/app/scene/integrator_catalog.h>
 #include <ringwatch/app/scene/scene.h>
 #include <ringwatch/app/scene/scene_discrete.h>
 #include <ringwatch/app/scene/scene_keys.h>
@@ -241,12 +241,8 @@ TEST(ElementDampingInAShock, BulkViscosityDampsTheRinging) {
   EXPECT_LT(mean, 0.2 * bare);
 }
 
-constexpr const char* bar = R"([mesh]
-generate = "bar"
-size = [0.2, 0.04, 0.04]
-cells = [10, 2, 2]
-element = "tet4"
-jitter = 0.2
+constexpr const char* bar =
+    R"(mesh = {generate = "bar", size = [0.2, 0.04, 0.04], cells = [10, 2, 2], element = "tet4", jitter = 0.2}
 [material]
 model = "stvk"
 young = 30e3
@@ -365,11 +361,7 @@ TEST_F(DampedScene, AutoTakesTheStepThatDampingLeaves) {
 }
 
 TEST_F(DampedScene, MaterialsDampApart) {
-  const std::string two = R"([mesh]
-generate = "bar"
-size = [0.2, 0.04, 0.04]
-cells = [10, 2, 2]
-element = "hex8"
+  const std::string two = R"(mesh = {generate = "bar", size = [0.2, 0.04, 0.04], cells = [10, 2, 2], element = "hex8"}
 [[material]]
 where = "x < 0.1"
 model = "stvk"

@@ -19,27 +19,11 @@ using test::tiny;
 using ::testing::HasSubstr;
 
 /// A bar that is torn: two parts with a weak one between them that fly apart.
-constexpr const char* torn = R"([mesh]
-generate = "bar"
-size = [0.12, 0.02, 0.02]
-cells = [12, 2, 2]
-element = "hex8"
-[[material]]
-where = "x < 0.05 or x > 0.07"
-model = "stvk"
-young = 90e3
-poisson = 0.3
-density = 1000
-[[material]]
-where = "0.05 <= x <= 0.07"
-model = "neo-hookean"
-young = 30e3
-poisson = 0.3
-density = 1000
-[integrator]
-method = "verlet"
-step = 1e-4
-end = 0.06
+constexpr const char* torn =
+    R"(mesh = {generate = "bar", size = [0.12, 0.02, 0.02], cells = [12, 2, 2], element = "hex8"}
+material = [{where = "x < 0.05 or x > 0.07", model = "stvk", young = 90e3, poisson = 0.3, density = 1000},
+            {where = "0.05 <= x <= 0.07", model = "neo-hookean", young = 30e3, poisson = 0.3, density = 1000}]
+integrator = {method = "verlet", step = 1e-4, end = 0.06}
 [[initial]]
 where = "x < 0.06 - 1e-6"
 velocity = [-2, 0, 0.1]
@@ -183,20 +167,10 @@ TEST_F(Erosion, TakesElementsWhoseStepIsTooSmall) {
 }
 
 TEST_F(Erosion, TakesInvertedElementsAndGoesOnWithContact) {
-  folder_.write("scene.toml", R"([mesh]
-generate = "bar"
-size = [0.06, 0.02, 0.02]
-cells = [6, 2, 2]
-[material]
-model = "stvk"
-young = 30e3
-poisson = 0.3
-density = 1000
-[integrator]
-step = 1e-4
-end = 0.01
-[monitor]
-on_violation = "warn"
+  folder_.write("scene.toml", R"(mesh = {generate = "bar", size = [0.06, 0.02, 0.02], cells = [6, 2, 2]}
+material = {model = "stvk", young = 30e3, poisson = 0.3, density = 1000}
+integrator = {step = 1e-4, end = 0.01}
+monitor = {on_violation = "warn"}
 [[obstacle]]
 kind = "plane"
 point = [-1e-4, 0, 0]
@@ -314,24 +288,10 @@ TEST_F(Erosion, MovesTheSurfacesOfContact) {
 
 // Springs and obstacles hold nodes that have no element, and blocks become empty.
 TEST_F(Erosion, GoesOnWithPointMassesThatSpringsAndObstaclesHold) {
-  folder_.write("obstacle.toml", R"([mesh]
-generate = "bar"
-cells = [2, 2, 2]
-[[material]]
-model = "stvk"
-young = 2e4
-poisson = 0.3
-density = 3740
-where = "x < 0.1"
-[[material]]
-model = "mooney-rivlin"
-c10 = 5190
-bulk = 1.13e5
-density = 2980
-where = "x >= 0.1"
-[integrator]
-step = 9e-4
-end = 0.26
+  folder_.write("obstacle.toml", R"(mesh = {generate = "bar", cells = [2, 2, 2]}
+material = [{model = "stvk", young = 2e4, poisson = 0.3, density = 3740, where = "x < 0.1"},
+            {model = "mooney-rivlin", c10 = 5190, bulk = 1.13e5, density = 2980, where = "x >= 0.1"}]
+integrator = {step = 9e-4, end = 0.26}
 [[obstacle]]
 kind = "cylinder"
 axis = [0, 1, 0]
@@ -347,24 +307,10 @@ max_stretch = 1.01
 [output]
 picture = false
 )");
-  folder_.write("springs.toml", R"([mesh]
-generate = "ball"
-cells = 2
-[[material]]
-model = "yeoh"
-c10 = 7930
-bulk = 2.95e5
-density = 1660
-where = "z < 0"
-[[material]]
-model = "stvk"
-young = 2e4
-poisson = 0.3
-density = 464
-where = "z >= 0"
-[integrator]
-step = 1e-4
-end = 0.045
+  folder_.write("springs.toml", R"(mesh = {generate = "ball", cells = 2}
+material = [{model = "yeoh", c10 = 7930, bulk = 2.95e5, density = 1660, where = "z < 0"},
+            {model = "stvk", young = 2e4, poisson = 0.3, density = 464, where = "z >= 0"}]
+integrator = {step = 1e-4, end = 0.045}
 [[initial]]
 where = "all"
 velocity = [-7, 7.5, 1.2]
@@ -389,22 +335,11 @@ picture = false
 
 // An element that inverts has no energy by this law: neither sums nor balance may keep that.
 TEST_F(Erosion, KeepsTheEnergiesNumbersWhereElementsInvert) {
-  folder_.write("scene.toml", R"([mesh]
-generate = "bar"
-size = [0.2, 0.04, 0.04]
-cells = [5, 1, 1]
-element = "hex8"
-[material]
-model = "neo-hookean"
-young = 30e3
-poisson = 0.3
-density = 1000
-[integrator]
-method = "symplectic-euler"
-step = 1e-3
-end = 0.1
-[monitor]
-on_violation = "warn"
+  folder_.write("scene.toml",
+                R"(mesh = {generate = "bar", size = [0.2, 0.04, 0.04], cells = [5, 1, 1], element = "hex8"}
+material = {model = "neo-hookean", young = 30e3, poisson = 0.3, density = 1000}
+integrator = {method = "symplectic-euler", step = 1e-3, end = 0.1}
+monitor = {on_violation = "warn"}
 [[fix]]
 where = "x < 1e-6"
 [[move]]
@@ -454,20 +389,9 @@ TEST_F(Erosion, IsRefusedWithWhatItDoesNotGoWith) {
 
 // All elements behind a plane go; their nodes are left on springs, h = 2 √(m/k), and no element proves more.
 TEST_F(Erosion, InspectKnowsTheStepOfNodesWithoutElements) {
-  folder_.write("scene.toml", R"([mesh]
-generate = "bar"
-size = [0.2, 0.1, 0.1]
-cells = [2, 1, 1]
-element = "hex8"
-[material]
-model = "neo-hookean"
-young = 1e5
-poisson = 0.3
-density = 1000
-[integrator]
-method = "verlet"
-step = 1e-3
-end = 0.01
+  folder_.write("scene.toml", R"(mesh = {generate = "bar", size = [0.2, 0.1, 0.1], cells = [2, 1, 1], element = "hex8"}
+material = {model = "neo-hookean", young = 1e5, poisson = 0.3, density = 1000}
+integrator = {method = "verlet", step = 1e-3, end = 0.01}
 [[fix]]
 where = "x < 0.11"
 [[initial]]

@@ -15,21 +15,10 @@ using test::Json;
 using test::Outcome;
 using ::testing::HasSubstr;
 
-constexpr const char* pulled = R"([mesh]
-generate = "bar"
-size = [0.2, 0.04, 0.04]
-cells = [10, 2, 2]
-jitter = 0.3
-seed = 3
-[material]
-model = "stvk"
-young = 30e3
-poisson = 0.3
-density = 1000
-[integrator]
-method = "verlet"
-step = "auto"
-end = 0.1
+constexpr const char* pulled =
+    R"(mesh = {generate = "bar", size = [0.2, 0.04, 0.04], cells = [10, 2, 2], jitter = 0.3, seed = 3}
+material = {model = "stvk", young = 30e3, poisson = 0.3, density = 1000}
+integrator = {method = "verlet", step = "auto", end = 0.1}
 [[fix]]
 where = "x < 1e-6"
 [[move]]

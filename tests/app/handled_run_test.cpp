@@ -304,27 +304,11 @@ TEST_F(HandledProgram, RunsOnAGpuWhereThereIsOne) {
 }
 
 TEST_F(HandledProgram, HandlesAllElementsOfOneMaterial) {
-  folder_.write("halves.toml", R"([mesh]
-generate = "bar"
-size = [0.2, 0.1, 0.1]
-cells = [4, 2, 2]
-element = "pyramid5"
-[[material]]
-where = "x < 0.1"
-model = "corotational"
-young = 1e6
-poisson = 0
-density = 1000
-[[material]]
-where = "x >= 0.1"
-model = "corotational"
-young = 1e4
-poisson = 0
-density = 1000
-[integrator]
-method = "verlet"
-step = 2e-3
-end = 0.02
+  folder_.write("halves.toml",
+                R"(mesh = {generate = "bar", size = [0.2, 0.1, 0.1], cells = [4, 2, 2], element = "pyramid5"}
+material = [{where = "x < 0.1", model = "corotational", young = 1e6, poisson = 0, density = 1000},
+            {where = "x >= 0.1", model = "corotational", young = 1e4, poisson = 0, density = 1000}]
+integrator = {method = "verlet", step = 2e-3, end = 0.02}
 [[initial]]
 where = "all"
 velocity = [0, 0, -1]

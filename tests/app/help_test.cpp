@@ -11,11 +11,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <ringwatch/app/command/exit_status.h>
 #include <ringwatch/app/command/help.h>
-#include <ringwatch/app/command/integrator_catalog.h>
 #include <ringwatch/app/command/verify.h>
+#include <ringwatch/app/output/exit_status.h>
 #include <ringwatch/app/output/output_fields.h>
+#include <ringwatch/app/scene/integrator_catalog.h>
 #include <ringwatch/app/scene/scene_keys.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/nearest_name.h>

@@ -20,20 +20,9 @@ using test::Outcome;
 using test::Program;
 using ::testing::HasSubstr;
 
-constexpr const char* bar = R"([mesh]
-generate = "bar"
-size = [0.2, 0.04, 0.04]
-cells = [10, 2, 2]
-element = "hex8"
-[material]
-model = "stvk"
-young = 30e3
-poisson = 0.3
-density = 1000
-[integrator]
-method = "verlet"
-step = 1e-3
-end = 0.05
+constexpr const char* bar = R"(mesh = {generate = "bar", size = [0.2, 0.04, 0.04], cells = [10, 2, 2], element = "hex8"}
+material = {model = "stvk", young = 30e3, poisson = 0.3, density = 1000}
+integrator = {method = "verlet", step = 1e-3, end = 0.05}
 [output]
 every = 0.05
 picture = false
@@ -205,7 +194,7 @@ TEST_F(Loads, RefuseWhatMakesNoSense) {
   refuse(force + "times = [0, 1]\nfactors = [1]\n", "force.times: 2 times and 1 factors; give as many of both");
   refuse(force + "times = [1]\nfactors = [1]\n", "1 points; a table needs two and more");
   refuse(force + "times = [0, 1, 1]\nfactors = [1, 2, 3]\n",
-         "scene.toml:21: force.times: the times must increase, but 1 s follows 1 s");
+         "scene.toml:10: force.times: the times must increase, but 1 s follows 1 s");
   refuse(force + "times = [-1, 1]\nfactors = [1, 2]\n", "force.times: -1 is out of range; must be >= 0 s");
   refuse(force + "times = 3\nfactors = [1, 2]\n", "force.times: the number 3 where a list of numbers is needed");
   refuse(force + table + "ramp = \"smoth\"\n", "did you mean \"smooth\"?");

@@ -39,20 +39,9 @@ TEST(Pressure, IsTheDerivativeOfTheVolume) {
   }
 }
 
-constexpr const char* cube = R"([mesh]
-generate = "bar"
-size = [0.1, 0.1, 0.1]
-cells = [1, 1, 1]
-element = "hex8"
-[material]
-model = "stvk"
-young = 1e7
-poisson = 0.3
-density = 1000
-[integrator]
-method = "verlet"
-step = 1e-4
-end = 0.2
+constexpr const char* cube = R"(mesh = {generate = "bar", size = [0.1, 0.1, 0.1], cells = [1, 1, 1], element = "hex8"}
+material = {model = "stvk", young = 1e7, poisson = 0.3, density = 1000}
+integrator = {method = "verlet", step = 1e-4, end = 0.2}
 [output]
 every = 0.2
 picture = false

@@ -19,19 +19,10 @@ using ::testing::HasSubstr;
 
 /// One hexahedron after the other, drawn apart at constant speed, without lateral strain: the state is uniform when
 /// each layer of nodes is where the ends have it, as in a bar of one cell.
-constexpr const char* drawn = R"([mesh]
-generate = "bar"
-size = [0.1, 0.02, 0.03]
-cells = [1, 1, 1]
-element = "hex8"
-[material]
-model = "stvk"
-young = 30e3
-poisson = 0.0
-density = 1000
-[integrator]
-step = 5e-4
-end = 0.02
+constexpr const char* drawn =
+    R"(mesh = {generate = "bar", size = [0.1, 0.02, 0.03], cells = [1, 1, 1], element = "hex8"}
+material = {model = "stvk", young = 30e3, poisson = 0.0, density = 1000}
+integrator = {step = 5e-4, end = 0.02}
 [[fix]]
 where = "x < 1e-6"
 components = "x"
@@ -45,25 +36,10 @@ reactions = true
 )";
 
 /// Loads, supports and motions of every kind on a bar of two materials and of several element types.
-constexpr const char* busy = R"([mesh]
-generate = "mixed"
-size = [0.1, 0.02, 0.02]
-cells = [6, 2, 2]
-[[material]]
-where = "x < 0.05"
-model = "stvk"
-young = 30e3
-poisson = 0.3
-density = 1000
-[[material]]
-where = "x >= 0.05"
-model = "neo-hookean"
-young = 90e3
-poisson = 0.3
-density = 700
-[integrator]
-step = 2e-4
-end = 0.04
+constexpr const char* busy = R"(mesh = {generate = "mixed", size = [0.1, 0.02, 0.02], cells = [6, 2, 2]}
+material = [{where = "x < 0.05", model = "stvk", young = 30e3, poisson = 0.3, density = 1000},
+            {where = "x >= 0.05", model = "neo-hookean", young = 90e3, poisson = 0.3, density = 700}]
+integrator = {step = 2e-4, end = 0.04}
 [[fix]]
 where = "x < 1e-6"
 [[fix]]
@@ -185,20 +161,9 @@ TEST_F(Probes, ReactionsAndLoadsChangeTheMomentum) {
 
 // Eight equal masses at the corners: L = Σ m (|r|² ω - (r·ω) r) about the centre, which is at rest.
 TEST_F(Probes, AngularMomentumOfASpinningBarStays) {
-  const Table found = run(R"([mesh]
-generate = "bar"
-size = [0.1, 0.02, 0.03]
-cells = [1, 1, 1]
-element = "hex8"
-[material]
-model = "stvk"
-young = 30e3
-poisson = 0.3
-density = 1000
-[integrator]
-method = "symplectic-euler"
-step = 5e-4
-end = 0.1
+  const Table found = run(R"(mesh = {generate = "bar", size = [0.1, 0.02, 0.03], cells = [1, 1, 1], element = "hex8"}
+material = {model = "stvk", young = 30e3, poisson = 0.3, density = 1000}
+integrator = {method = "symplectic-euler", step = 5e-4, end = 0.1}
 [[initial]]
 where = "all"
 angular_velocity = [0, 10, 20]

@@ -15,7 +15,7 @@
 #include <numeric>
 #include <utility>
 
-#include <ringwatch/app/command/integrator_catalog.h>
+#include <ringwatch/app/scene/integrator_catalog.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/body/discrete_forces.h>

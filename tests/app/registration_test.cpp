@@ -19,19 +19,9 @@ class Registration : public test::Program {
  protected:
   std::string executable() const override { return RINGWATCH_REGISTERING_PROGRAM; }
   void SetUp() override {
-    folder_.write("rubber.toml", R"([mesh]
-generate = "bar"
-size = [0.1, 0.02, 0.02]
-cells = [5, 1, 1]
-[material]
-model = "log-mooney-rivlin"
-c10 = 4e3
-c01 = 1e3
-bulk = 25e3
-density = 1000
-[integrator]
-step = 4e-4
-end = 0.02
+    folder_.write("rubber.toml", R"(mesh = {generate = "bar", size = [0.1, 0.02, 0.02], cells = [5, 1, 1]}
+material = {model = "log-mooney-rivlin", c10 = 4e3, c01 = 1e3, bulk = 25e3, density = 1000}
+integrator = {step = 4e-4, end = 0.02}
 [[fix]]
 where = "x < 1e-6"
 [[force]]

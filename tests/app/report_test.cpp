@@ -208,6 +208,11 @@ TEST_F(Report, SaysWhichElementWhenAndWhatToDo) {
   EXPECT_THAT(sentence, HasSubstr("step " + (*violated)["step"].dump() + ", t = "));
   EXPECT_THAT(sentence, HasSubstr("element " + (*violated)["element"]["id"].dump() + " of the mesh"));
   EXPECT_THAT(sentence, HasSubstr((*violated)["cause"].get<std::string>()));
+  // The same as data: by the element's strain and shape alone the sentence can be told.
+  const Json& diagnosis = (*violated)["diagnosis"];
+  EXPECT_EQ(diagnosis["strain"] == "unstrained",
+            !(diagnosis["largest_stretch"] > 1.05 || diagnosis["least_stretch"] < 1 / 1.05));
+  EXPECT_EQ(diagnosis["determinant"] <= 0, diagnosis["strain"] == "inverted");
   EXPECT_THAT(sentence, HasSubstr("stopped before"));
   const Json report = reportIn(page());
   for (const char* key : {"block", "index", "id"})
@@ -309,21 +314,10 @@ TEST_F(Report, OfAFolderThatLacksSomethingSaysSo) {
   EXPECT_EQ(call("report p").status, 0);
 }
 
-constexpr const char* dropped = R"([mesh]
-generate = "bar"
-size = [0.06, 0.06, 0.06]
-cells = [3, 3, 3]
-jitter = 0.1
-[material]
-model = "neo-hookean"
-young = 1e6
-poisson = 0.3
-density = 1000
-[integrator]
-step = 5e-5
-end = 6e-3
-[monitor]
-on_violation = "warn"
+constexpr const char* dropped = R"(mesh = {generate = "bar", size = [0.06, 0.06, 0.06], cells = [3, 3, 3], jitter = 0.1}
+material = {model = "neo-hookean", young = 1e6, poisson = 0.3, density = 1000}
+integrator = {step = 5e-5, end = 6e-3}
+monitor = {on_violation = "warn"}
 [[initial]]
 where = "all"
 velocity = [0, 0, -1]
@@ -486,15 +480,9 @@ TEST_F(InspectionReport, OfAStepSaysWhatIsInItsWayAndWhatThatWouldTake) {
   EXPECT_GE(gains, 3);
   ASSERT_NE(scaling, nullptr);
   // A run at that step adds the same mass before its first step.
-  folder_.write("s.toml", R"([mesh]
-file = "bar.msh"
-[material]
-model = "stvk"
-young = 30e3
-poisson = 0.3
-density = 1000
-[integrator]
-end = 1e-2
+  folder_.write("s.toml", R"(mesh = {file = "bar.msh"}
+material = {model = "stvk", young = 30e3, poisson = 0.3, density = 1000}
+integrator = {end = 1e-2}
 [handler]
 method = "mass-scaling"
 )");

@@ -18,27 +18,11 @@ using test::Program;
 using ::testing::HasSubstr;
 
 /// A bar with a rigid head at its end, held at the other.
-constexpr const char* headed = R"([mesh]
-generate = "bar"
-size = [0.12, 0.02, 0.02]
-cells = [12, 2, 2]
-element = "hex8"
-[[material]]
-where = "x < 0.08"
-model = "stvk"
-young = 90e3
-poisson = 0.3
-density = 100
-[[material]]
-where = "x > 0.08"
-model = "stvk"
-young = 90e9
-poisson = 0.3
-density = 8000
-[integrator]
-method = "verlet"
-step = 2e-4
-end = 0.2
+constexpr const char* headed =
+    R"(mesh = {generate = "bar", size = [0.12, 0.02, 0.02], cells = [12, 2, 2], element = "hex8"}
+material = [{where = "x < 0.08", model = "stvk", young = 90e3, poisson = 0.3, density = 100},
+            {where = "x > 0.08", model = "stvk", young = 90e9, poisson = 0.3, density = 8000}]
+integrator = {method = "verlet", step = 2e-4, end = 0.2}
 [[fix]]
 where = "x < 1e-6"
 [[rigid]]
@@ -124,20 +108,10 @@ TEST_F(Rigid, SwingsAsAMassOnASpring) {
 
 // A body on a hinge of springs at two of its corners swings as a compound pendulum.
 TEST_F(Rigid, SwingsAsACompoundPendulum) {
-  folder_.write("scene.toml", R"([mesh]
-generate = "bar"
-size = [0.12, 0.02, 0.02]
-cells = [12, 2, 2]
-element = "hex8"
-[material]
-model = "stvk"
-young = 90e3
-poisson = 0.3
-density = 1000
-[integrator]
-method = "verlet"
-step = 1e-4
-end = 1.2
+  folder_.write("scene.toml",
+                R"(mesh = {generate = "bar", size = [0.12, 0.02, 0.02], cells = [12, 2, 2], element = "hex8"}
+material = {model = "stvk", young = 90e3, poisson = 0.3, density = 1000}
+integrator = {method = "verlet", step = 1e-4, end = 1.2}
 [[rigid]]
 where = "x < 0.11 + 1e-6"
 [[spring]]
@@ -399,7 +373,7 @@ TEST_F(Rigid, RefusesGuidesThatDoNotFit) {
     expectRefused("run bad.toml --out bad", what);
     EXPECT_FALSE(exists("bad/history.csv"));
   };
-  refused("[[fix]]\nrigid = \"haed\"\n", "fix.rigid: unknown rigid \"haed\"; did you mean \"head\"?");
+  refused("[[fix]]\nrigid = \"haed\"\n", "fix.rigid: no [[rigid]] is named \"haed\"; did you mean \"head\"?");
   refused("[[fix]]\nrigid = \"head\"\nwhere = \"x > 0\"\n", "fix.where: both where and rigid are given");
   refused("[[fix]]\nwhere = \"x > 0.115\"\nturns = true\n", "fix.turns: goes with rigid");
   refused("[[move]]\nwhere = \"x > 0.115\"\nvelocity = [1, 0, 0]\naxis = [1, 0, 0]\n", "move.axis: goes with rigid");

@@ -17,26 +17,10 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 TEST_F(Program, PlansAddedMassByPartAndInAll) {
-  folder_.write("two.toml", R"([mesh]
-generate = "bar"
-size = [0.1, 0.02, 0.02]
-cells = [10, 2, 2]
-jitter = 0.25
-[[material]]
-where = "x < 0.05"
-model = "stvk"
-young = 30e3
-poisson = 0.3
-density = 1000
-[[material]]
-where = "x >= 0.05"
-model = "neo-hookean"
-young = 120e3
-poisson = 0.3
-density = 1000
-[integrator]
-step = 1e-3
-end = 0.05
+  folder_.write("two.toml", R"(mesh = {generate = "bar", size = [0.1, 0.02, 0.02], cells = [10, 2, 2], jitter = 0.25}
+material = [{where = "x < 0.05", model = "stvk", young = 30e3, poisson = 0.3, density = 1000},
+            {where = "x >= 0.05", model = "neo-hookean", young = 120e3, poisson = 0.3, density = 1000}]
+integrator = {step = 1e-3, end = 0.05}
 [[fix]]
 where = "x < 1e-6"
 )");

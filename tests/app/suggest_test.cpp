@@ -77,28 +77,12 @@ TEST_F(Program, SuggestsWithDampingAndSaysWhatAHandlerWouldDo) {
 }
 
 TEST_F(Program, SuggestsForSpringsContactAndSeveralMaterialsWhateverTouches) {
-  folder_.write("block.toml", R"([mesh]
-generate = "bar"
-size = [0.1, 0.02, 0.02]
-cells = [6, 2, 2]
-element = "hex8"
-[[material]]
-where = "x < 0.05"
-model = "linear"
-young = 30e3
-poisson = 0.3
-density = 1000
-[[material]]
-where = "x >= 0.05"
-model = "linear"
-young = 90e3
-poisson = 0.3
-density = 1100
-[integrator]
-step = 2e-4
-end = 0.02
-[monitor]
-on_violation = "warn"
+  folder_.write("block.toml",
+                R"(mesh = {generate = "bar", size = [0.1, 0.02, 0.02], cells = [6, 2, 2], element = "hex8"}
+material = [{where = "x < 0.05", model = "linear", young = 30e3, poisson = 0.3, density = 1000},
+            {where = "x >= 0.05", model = "linear", young = 90e3, poisson = 0.3, density = 1100}]
+integrator = {step = 2e-4, end = 0.02}
+monitor = {on_violation = "warn"}
 [[spring]]
 where = "x < 1e-6"
 stiffness = 500
@@ -183,16 +167,9 @@ TEST_F(Program, RefusesTimesStretchesAndIntegratorsThatSaySomethingElse) {
 TEST_F(Program, TakesSpringsAlongEdgesAndMassesOfNodes) {
   folder_.write("one.inp",
                 "*NODE\n1, 0, 0, 0\n2, 0.1, 0, 0\n3, 0, 0.1, 0\n4, 0, 0, 0.12\n*ELEMENT, TYPE=C3D4\n1, 1, 2, 3, 4\n");
-  const std::string head = R"([mesh]
-file = "one.inp"
-[material]
-model = "stvk"
-young = 3e4
-poisson = 0.3
-density = 10
-[integrator]
-step = 0.002
-end = 1
+  const std::string head = R"(mesh = {file = "one.inp"}
+material = {model = "stvk", young = 3e4, poisson = 0.3, density = 10}
+integrator = {step = 0.002, end = 1}
 [[mass]]
 where = "all"
 )";
@@ -217,9 +194,9 @@ where = "all"
     folder_.write("one.toml", head + more);
     expectRefused("suggest one.toml --frame 0.01", what);
   };
-  refuse("nodal_mass = 1e-9\n", "one.toml:11: [[mass]]: nodal_mass = 1e-09 kg: node ");
-  refuse("nodal_mass = 1\nmass = 2\n", "one.toml:14: mass.mass: both mass and nodal_mass are given; give one of them");
-  refuse("", "one.toml:11: mass.mass: missing; give mass (kg) or nodal_mass (kg)");
+  refuse("nodal_mass = 1e-9\n", "one.toml:4: [[mass]]: nodal_mass = 1e-09 kg: node ");
+  refuse("nodal_mass = 1\nmass = 2\n", "one.toml:7: mass.mass: both mass and nodal_mass are given; give one of them");
+  refuse("", "one.toml:4: mass.mass: missing; give mass (kg) or nodal_mass (kg)");
   refuse("mass = 1\n" + edges + "to_set = \"x\"\n", "spring.edges: both edges and to_set are given");
 }
 

@@ -90,23 +90,11 @@ TEST(TimeExpression, SaysWhatIsWrong) {
   EXPECT_THAT(faultOfTime("sin(1e9*t)"), HasSubstr("changes too often before the end"));
 }
 
-constexpr const char* pulled = R"([mesh]
-generate = "bar"
-size = [0.2, 0.04, 0.04]
-cells = [6, 1, 1]
-element = "hex8"
-[material]
-model = "stvk"
-young = 30e3
-poisson = 0.3
-density = 1000
-[integrator]
-method = "verlet"
-step = 1e-3
-end = 0.05
-[output]
-every = 0.05
-picture = false
+constexpr const char* pulled =
+    R"(mesh = {generate = "bar", size = [0.2, 0.04, 0.04], cells = [6, 1, 1], element = "hex8"}
+material = {model = "stvk", young = 30e3, poisson = 0.3, density = 1000}
+integrator = {method = "verlet", step = 1e-3, end = 0.05}
+output = {every = 0.05, picture = false}
 [[fix]]
 where = "x < 1e-6"
 )";

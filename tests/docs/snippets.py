@@ -46,7 +46,7 @@ CONTEXTS = {
     ("docs/verify_your_own.md", 2): (["tests/added/log_mooney_rivlin.h"], None, "using MyLaw = ringwatch::test::LogMooneyRivlin;\n"),
     ("docs/gpu.md", 0): ([], "  ringwatch::Body& body = any<ringwatch::Body>(); double h = 1e-4;\n"),
     ("docs/gpu.md", 1): (
-        ["ringwatch/gpu/body/device_body.h", "ringwatch/gpu/imex/device_imex.h", "ringwatch/gpu/rings/device_rings.h",
+        ["ringwatch/gpu/body/device_body.h", "ringwatch/gpu/imex/device_imex.h",
          "ringwatch/handlers/imex/implicit_cluster.h"],
         "  ringwatch::Body& body = any<ringwatch::Body>(); ringwatch::DeviceBody<double> device(body); double h = 1e-4;\n"
         "  std::vector<ringwatch::ElementRef> stiff;\n",

@@ -10,7 +10,6 @@
 #include <ringwatch/gpu/certificate/device_certificate.h>
 #include <ringwatch/gpu/device_status.h>
 #include <ringwatch/gpu/imex/device_imex.h>
-#include <ringwatch/gpu/rings/device_rings.h>
 #include <tests/gpu/cases.h>
 #include <tests/gpu/checks.h>
 
@@ -167,7 +166,6 @@ void sameCertificates() {
 void refusesParts() {
   const Body body(bar("tet4", {8, 6, 6}), makeMaterial("stvk", 3e4, 0.3, 1000));
   DeviceBody<double> two(body, {0, 0});
-  checks::expectThrows<InputError>([&] { DeviceRings rings(two); }, "reduced rings on 2 GPUs: a body on one is needed");
   checks::expectThrows<InputError>([&] { DeviceImex imex(two, body.mesh(), {{{0, 0}}}, 1e-4); }, "imex on 2 GPUs");
   checks::expectThrows<InputError>([&] { DeviceBody<double>(body, {0, 99}); }, "GPU 99: this machine has");
   checks::expectThrows<InputError>([&] { DeviceBody<double>(body, {-1}); }, "GPU -1: this machine has");

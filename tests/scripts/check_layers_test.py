@@ -56,6 +56,18 @@ class CheckLayers(unittest.TestCase):
         self.expect(1, "top/e.h:2: top may not include right; cmake/layers.txt allows it ground, left",
                     {"top/e.h": "#pragma once\n#include <ringwatch/right/c.h>\n"})
 
+    def test_include_of_a_room_that_is_not_allowed(self):
+        rooms = {"cmake/layers.txt": TABLE + "top/lower:\ntop/upper: top/lower\n",
+                 "top/lower/a.h": "#pragma once\n#include <ringwatch/top/d.h>\n",
+                 "top/upper/b.h": "#pragma once\n#include <ringwatch/top/lower/a.h>\n"}
+        self.assertEqual(check(rooms), (0, ""))
+        self.expect(1, "top/lower/c.h:2: top/lower may not include top/upper; cmake/layers.txt allows it no other room",
+                    {**rooms, "top/lower/c.h": "#pragma once\n#include <ringwatch/top/upper/b.h>\n"})
+        self.expect(1, "top/other/c.h:2: top/other may not include top/upper",
+                    {**rooms, "top/other/c.h": "#pragma once\n#include <ringwatch/top/upper/b.h>\n"})
+        self.expect(2, "layers.txt:5: 'top/lower' names 'left', which is not on a line above",
+                    {"cmake/layers.txt": TABLE + "top/lower: left\n"})
+
     def test_link_from_above(self):
         self.expect(1, "left/CMakeLists.txt:1: left may not link top",
                     {"left/CMakeLists.txt": "ringwatch_folder(left LINKS ringwatch::top)\n"})

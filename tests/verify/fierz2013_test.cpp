@@ -4,40 +4,14 @@
 #include <ringwatch/handlers/handler.h>
 #include <ringwatch/verify/fierz2013/fierz2013.h>
 
-#include "criteria.h"
 #include "report_tools.h"
 
 namespace ringwatch {
 namespace {
 
 TEST(Fierz2013Study, EveryHandlerFollowsTheReference) {
-  using test::Basis;
   const StudyReport report = verifyFierz2013(StudyEffort::quick, coreIntegrators());
-  // Mean errors of a step of 0.4 ms (modal-filter: 0.2 ms), % of the largest displacement.
-  const std::string ofError = ": mean error (% of the largest displacement)";
-  test::expectCriteria(report,
-                       {{"cube, stretch by force, nu = 0.3, imex, as in Fierz 2013" + ofError, 2.5, Basis::measured},
-                        {"cube, stretch by force, nu = 0.3, imex*" + ofError, 0.7, Basis::measured},
-                        {"cube, stretch by force, nu = 0.3, local-time-stepping" + ofError, 0.7, Basis::measured},
-                        {"cube, stretch by force, nu = 0.3, fe-pbd" + ofError, 2.9, Basis::measured},
-                        {"cube, stretch by force, nu = 0.3, modal-filter" + ofError, 0.36, Basis::measured},
-                        {"cube, compress by force, nu = 0.3, imex, as in Fierz 2013" + ofError, 3.2, Basis::measured},
-                        {"cube, compress by force, nu = 0.3, imex*" + ofError, 0.78, Basis::measured},
-                        {"cube, compress by force, nu = 0.3, local-time-stepping" + ofError, 0.78, Basis::measured},
-                        {"cube, compress by force, nu = 0.3, fe-pbd" + ofError, 3.5, Basis::measured},
-                        {"cube, compress by force, nu = 0.3, modal-filter" + ofError, 0.36, Basis::measured},
-                        {"cube, bend by force, nu = 0.3, imex, as in Fierz 2013" + ofError, 0.78, Basis::measured},
-                        {"cube, bend by force, nu = 0.3, imex*" + ofError, 0.18, Basis::measured},
-                        {"cube, bend by force, nu = 0.3, local-time-stepping" + ofError, 0.18, Basis::measured},
-                        {"cube, bend by force, nu = 0.3, fe-pbd" + ofError, 0.75, Basis::measured},
-                        {"cube, bend by force, nu = 0.3, modal-filter" + ofError, 0.09, Basis::measured},
-                        {"cube, twist by force, nu = 0.3, imex, as in Fierz 2013" + ofError, 1.15, Basis::measured},
-                        {"cube, twist by force, nu = 0.3, imex*" + ofError, 0.27, Basis::measured},
-                        {"cube, twist by force, nu = 0.3, local-time-stepping" + ofError, 0.27, Basis::measured},
-                        {"cube, twist by force, nu = 0.3, fe-pbd" + ofError, 1.4, Basis::measured},
-                        {"cube, twist by force, nu = 0.3, modal-filter" + ofError, 0.12, Basis::measured},
-                        {"cube, *, nu = 0.3, mass-scaling: lost", 0, Basis::theory}});
-  test::expectWellFormed(report);
+  test::expectHolds(report);
   EXPECT_EQ(test::tableNames(report), (std::set<std::string>{"deformations", "fierz2013"}));
   for (const HandlerEntry& entry : allHandlers())
     EXPECT_EQ(test::textsOf(test::tableOf(report, "deformations"), 4).count(std::string(entry.info->name)), 1u);

@@ -31,8 +31,16 @@ inline std::set<std::string> textsOf(const StudyTable& table, std::size_t column
   return texts;
 }
 
-/// Tables have rows, as wide as their columns; figures have curves, and those as many x as y.
-inline void expectWellFormed(const StudyReport& report) {
+/// At least so many checks are there; each holds and has a name of its own; tables have rows, as wide as their columns;
+/// figures have curves, and those as many x as y.
+inline void expectHolds(const StudyReport& report, std::size_t checks = 1) {
+  std::set<std::string> names;
+  for (const StudyCheck& check : report.checks) {
+    EXPECT_TRUE(names.insert(check.name).second) << "two checks are called " << check.name;
+    EXPECT_TRUE(check.passed()) << check.name << ": measured " << check.measured << ", expected " << check.expected
+                                << " to " << check.tolerance;
+  }
+  EXPECT_GE(names.size(), checks) << report.study;
   EXPECT_EQ(tableNames(report).size(), report.tables.size()) << "two tables of one name";
   EXPECT_EQ(figureNames(report).size(), report.figures.size()) << "two figures of one name";
   for (const StudyTable& table : report.tables) {

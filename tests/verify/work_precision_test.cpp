@@ -139,7 +139,7 @@ TEST(WorkPrecision, ReportHoldsTablesAndPictures) {
                      EXPECT_LT(runs.back().error, 0.3 * runs.front().error) << c.name;
                    });
   EXPECT_EQ(cases, 3);
-  test::expectWellFormed(report);
+  test::expectHolds(report, 0);  // it only measures
   std::set<std::string> tables, figures;
   for (const std::string name : {"oscillator", "bar", "slivers"}) {
     tables.insert({name + "_runs", name + "_cheapest"});

@@ -13,7 +13,7 @@
 #include <ringwatch/integrators/stability_limit.h>
 #include <ringwatch/meshes/generators/generators.h>
 #include <ringwatch/monitor/bounds/global_frequency.h>
-#include <ringwatch/monitor/bounds/stiff_elements.h>
+#include <ringwatch/monitor/metrics/stiff_elements.h>
 #include <ringwatch/verify/processor_time.h>
 #include <ringwatch/verify/study_bodies.h>
 

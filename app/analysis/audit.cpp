@@ -1,0 +1,490 @@
+#include <ringwatch/app/analysis/audit.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include <ringwatch/app/analysis/step_answer.h>
+#include <ringwatch/app/output/progress.h>
+#include <ringwatch/app/output/report.h>
+#include <ringwatch/app/scene/capabilities.h>
+#include <ringwatch/app/scene/integrator_catalog.h>
+#include <ringwatch/app/scene/scene.h>
+#include <ringwatch/base/error.h>
+#include <ringwatch/base/infinity.h>
+#include <ringwatch/base/markup.h>
+#include <ringwatch/base/user_text.h>
+#include <ringwatch/meshes/check.h>
+#include <ringwatch/meshes/number_index.h>
+#include <ringwatch/meshes/results.h>
+#include <ringwatch/monitor/critical_step.h>
+#include <ringwatch/monitor/event.h>
+#include <ringwatch/monitor/stability_monitor.h>
+
+namespace ringwatch {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// What is said of the results with every audit.
+constexpr std::string_view honestLimit =
+    "Each bracket is proven for the tangent of this law, with lumped masses, at that state alone. Contact, plasticity, "
+    "mass scaling and whatever else the other program has that the scene has not are not in it: such a model hands its "
+    "element "
+    "tangents over (docs/embedding.md). Between two states nothing is proven.";
+
+Scene sceneOfAudit(const AuditOptions& options) {
+  if (!options.scene.empty()) {
+    std::vector<std::string> overrides;
+    if (options.density) overrides.push_back(fmt::format("material.density={}", *options.density));
+    return isModelFile(options.scene) ? sceneOfModel(options.scene, DeckUse::model, overrides)
+                                      : readScene(options.scene, overrides);
+  }
+  Scene scene;
+  SceneMaterial& material = scene.materials.emplace_back();
+  material.model = options.model.empty() ? "stvk" : options.model;
+  for (const OptionInfo& parameter : lawNamed(material.model).parameters)
+    if (parameter.fallback.empty() && !options.parameters.find(parameter.name))
+      throw InputError(
+          fmt::format("--{} is required, or --scene with the materials; see ringwatch audit --help", parameter.name));
+  if (!options.density)
+    throw InputError("--density is required, or --scene with the materials; see ringwatch audit --help");
+  material.density = *options.density;
+  scene.method = "symplectic-euler";
+  scene.meshOrigin = options.results.front().string();
+  return scene;
+}
+
+void applyLaw(Scene& scene, const AuditOptions& options) {
+  const bool own = options.parameters.begin() != options.parameters.end();
+  if (scene.materials.size() > 1 && (own || !options.model.empty()))
+    throw InputError(fmt::format("--{}: {} has {} materials; leave it out, all are those of the scene",
+                                 options.model.empty() ? options.parameters.begin()->first : "model",
+                                 options.scene.string(), scene.materials.size()));
+  SceneMaterial& material = scene.materials.front();
+  if (!options.model.empty() && options.model != material.model) {
+    const LawInfo& law = lawNamed(options.model);
+    Options kept;
+    for (const auto& [name, value] : material.parameters)
+      if (findOption(law.parameters, name)) kept.set(name, value);
+    material.model = options.model;
+    material.parameters = std::move(kept);
+  }
+  for (const auto& [name, value] : options.parameters) material.parameters.set(name, value);
+  for (const std::string& text : options.fix) scene.fixes.push_back(parseFix(text, "--fix"));
+  for (auto& [element, rule] : parseRules(options.rules, "--rule")) scene.rules[element] = rule;
+  scene.lumping = options.lumping.value_or(scene.lumping);
+}
+
+/// The rule of the run's steps, its limit h omega, and the integrator, where that is known.
+StepRule ruleOf(const Scene& scene, const AuditOptions& options, double& limit, const IntegratorInfo*& integrator) {
+  integrator = nullptr;
+  if (options.limit) {
+    if (!(*options.limit > 0 && std::isfinite(*options.limit)))
+      throw InputError(fmt::format("--limit: {} is out of range; must be > 0", *options.limit));
+    if (!options.integrator.empty()) throw InputError("--limit: goes without --integrator, whose limit is known");
+    return StepRule(limit = *options.limit);
+  }
+  const std::string name = options.integrator.empty() ? "symplectic-euler" : options.integrator;
+  const IntegratorInfo* info = integratorCatalog().find(name);
+  if (info == nullptr || !hasCriticalStep(*info))
+    throw InputError(
+        fmt::format("--integrator: {} is no integrator with a critical step; ringwatch help integrators "
+                    "has those, and --limit takes a number",
+                    inQuotes(name)));
+  integrator = info;
+  limit = info->imaginaryLimit;
+  return stepRule(*info, scene.damping);
+}
+
+/// Which node of the results each node of the body is; -1 for one that they lack, which is at rest.
+std::vector<std::int32_t> sameNodes(const Mesh& body, const Mesh& results, const std::string& where) {
+  std::vector<std::int32_t> same(body.nodeCount(), -1);
+  std::size_t found = 0;
+  if (!results.nodeIds.empty() && !body.nodeIds.empty()) {
+    NumberIndex index(results);
+    for (std::size_t i = 0; i < same.size(); ++i)
+      if (const auto node = index.node(body.nodeIds[i])) same[i] = *node, ++found;
+  } else if (body.nodeCount() == results.nodeCount()) {
+    for (std::size_t i = 0; i < same.size(); ++i) same[i] = static_cast<std::int32_t>(i);
+    found = same.size();
+  }
+  if (found == 0)
+    throw InputError(fmt::format("{}: {} nodes, none of which is one of the {} of the scene's mesh", where,
+                                 results.nodeCount(), body.nodeCount()));
+  const double size = (body.X.rowwise().maxCoeff() - body.X.rowwise().minCoeff()).norm();
+  for (std::size_t i = 0; i < same.size(); ++i) {
+    if (same[i] < 0) continue;
+    const auto own = static_cast<Eigen::Index>(i);
+    const double apart = (body.X.col(own) - results.X.col(same[i])).norm();
+    if (!(apart <= 1e-4 * size))
+      throw InputError(
+          fmt::format("{}: node {} lies {:.3g} m from where the scene's mesh has it at rest; they must be "
+                      "of the same mesh",
+                      where, body.nodeId(static_cast<std::int32_t>(i)), apart));
+  }
+  return same;
+}
+
+/// Steps by the times and increments of neighbouring states.
+std::optional<double> meanStep(const ResultEntry& a, const ResultEntry& b) {
+  if (!a.time || !b.time || !a.increment || !b.increment) return std::nullopt;
+  const double time = *b.time - *a.time;
+  const auto steps = static_cast<double>(*b.increment - *a.increment);
+  if (!(time > 0) || !(steps > 0)) return std::nullopt;
+  return time / steps;
+}
+
+std::vector<std::optional<double>> stepsTaken(const std::vector<ResultEntry>& entries, const AuditOptions& options,
+                                              const Scene& scene) {
+  std::vector<std::optional<double>> steps(entries.size());
+  if (options.step) {
+    std::fill(steps.begin(), steps.end(), options.step);
+    return steps;
+  }
+  for (std::size_t i = 0; i + 1 < entries.size(); ++i) steps[i] = meanStep(entries[i], entries[i + 1]);
+  if (entries.size() > 1) steps.back() = steps[entries.size() - 2];
+  // The first increments begin at rest.
+  const ResultEntry rest{0.0, 0, ""};
+  for (std::size_t i = 0; i < entries.size(); ++i)
+    if (!steps[i] && i == 0 && entries.size() == 1) steps[i] = meanStep(rest, entries[i]);
+  for (std::optional<double>& step : steps)
+    if (!step && scene.step && !options.scene.empty()) step = scene.step;
+  return steps;
+}
+
+/// body: nullptr where every element is deleted.
+AuditedState audited(const Body* body, const NodeVectors& x, const StepRule& rule, AuditedState state) {
+  for (Eigen::Index i = 0; i < x.cols(); ++i) state.notFinite += x.col(i).allFinite() ? 0 : 1;
+  if (state.notFinite > 0) {
+    state.why = fmt::format("{} of {} nodes are not finite", state.notFinite, x.cols());
+    return state;
+  }
+  if (body == nullptr) {
+    state.why = "every element is deleted";
+    return state;
+  }
+  state.least = body->leastDeterminant(x, Body::Among::whereInversionIsAnError);
+  Body::Workspace workspace;
+  state.strainEnergy = body->energy(x, workspace);
+  try {
+    state.bracket = criticalStep(*body, x, rule);
+  } catch (const NumericalError& fault) {
+    state.why = fault.what();
+  }
+  return state;
+}
+
+/// The audited body without the elements that the other program has deleted; their masses stay at their nodes.
+class StandingBody {
+ public:
+  explicit StandingBody(const Body& whole) : whole_(whole), numbers_(whole.mesh()) {}
+
+  /// deleted: elements of the results, which the body has by the same numbers or, without a scene, in the same places.
+  /// nullptr where no element is left.
+  const Body* without(const std::vector<std::vector<bool>>& deleted, const Mesh& results, bool samePlaces,
+                      const std::string& where) {
+    if (deleted != deleted_) {
+      deleted_ = deleted;
+      left_.reset();
+      stays_.clear();
+      count_ = 0;
+      for (const MeshBlock& block : whole_.mesh().blocks) stays_.emplace_back(block.elementCount(), true);
+      for (std::size_t b = 0; b < deleted.size(); ++b)
+        for (std::size_t e = 0; e < deleted[b].size(); ++e) {
+          if (!deleted[b][e]) continue;
+          const ElementRef own = samePlaces ? ElementRef{b, e} : numbered(results.blocks[b].id(e), where);
+          stays_[static_cast<std::size_t>(own.block)][static_cast<std::size_t>(own.element)] = false;
+          ++count_;
+        }
+      if (count_ > 0 && count_ < whole_.mesh().elementCount()) left_.emplace(whole_, stays_);
+    }
+    return left_ ? &*left_ : count_ == 0 ? &whole_ : nullptr;
+  }
+  std::size_t deletedElements() const { return count_; }
+  /// The place in the whole body of an element that is left.
+  ElementRef inWhole(ElementRef left) const {
+    if (!left_) return left;
+    const std::vector<bool>& stays = stays_[static_cast<std::size_t>(left.block)];
+    std::size_t e = 0;
+    for (std::int32_t before = 0; e < stays.size() && (!stays[e] || before < left.element); ++e)
+      before += stays[e] ? 1 : 0;
+    return {left.block, e};
+  }
+
+ private:
+  ElementRef numbered(std::int64_t id, const std::string& where) {
+    if (const auto element = numbers_.element(id)) return *element;
+    throw InputError(fmt::format("{}: element {} is deleted, which the scene's mesh does not have", where, id));
+  }
+
+  const Body& whole_;
+  NumberIndex numbers_;
+  std::vector<std::vector<bool>> deleted_, stays_;
+  std::optional<Body> left_;
+  std::size_t count_ = 0;
+};
+
+std::string numberText(std::optional<double> value) {
+  return value && std::isfinite(*value) ? fmt::format("{:.6g}", *value) : "-";
+}
+
+std::string verdictText(const AuditedState& state) {
+  if (state.lost()) return "lost";
+  const auto verdict = state.verdict();
+  return verdict ? std::string(verdictName(*verdict)) : "-";
+}
+
+Json stateJson(const Mesh& mesh, const AuditedState& state) {
+  const auto orNull = [](const auto& value) { return value ? Json(*value) : Json(); };
+  Json json{
+      {"state", state.index + 1},
+      {"where", state.where},
+      {"time", orNull(state.time)},
+      {"increment", orNull(state.increment)},
+      {"step", orNull(state.step)},
+      {"safe", state.bracket ? Json(state.bracket->safe) : Json()},
+      {"optimistic", state.bracket ? Json(state.bracket->optimistic) : Json()},
+      {"verdict", verdictText(state)},
+      {"controlling_element", state.bracket ? elementJson(mesh, state.bracket->controlling) : Json()},
+      {"strain_energy", std::isfinite(state.strainEnergy) && state.notFinite == 0 ? Json(state.strainEnergy) : Json()},
+      {"least_determinant", state.least && std::isfinite(state.least->value) ? Json(state.least->value) : Json()},
+      {"inverted", state.inverted()},
+      {"indefinite", state.indefinite()},
+      {"not_finite_nodes", state.notFinite},
+      {"deleted_elements", state.deleted}};
+  if (!state.why.empty()) json["why"] = state.why;
+  return json;
+}
+
+/// "state 4 at t = 0.1 s"
+std::string nameOf(const AuditedState& state) {
+  return fmt::format("state {}{}", state.index + 1, state.time ? fmt::format(" at t = {:.6g} s", *state.time) : "");
+}
+
+class AuditReport {
+ public:
+  AuditReport(const Body& body, const std::vector<AuditedState>& states) : body_(body), states_(states) {}
+
+  void write(AuditResult& result, std::vector<AuditEvent>& events, bool all) const {
+    table(result.text, all);
+    Json& first = result.json["first"] = Json::object();
+    const auto event = [&](const char* key, const char* what, const auto& holds, const auto& detail) {
+      const auto found = std::find_if(states_.begin(), states_.end(), holds);
+      first[key] = found == states_.end()
+                       ? Json()
+                       : Json{{"state", found->index + 1}, {"time", found->time ? Json(*found->time) : Json()}};
+      if (found == states_.end()) return false;
+      const std::string text = fmt::format("{}: {}{}", what, nameOf(*found), detail(*found));
+      result.text += text + "\n";
+      events.push_back({key, what, text, static_cast<std::size_t>(found - states_.begin())});
+      return true;
+    };
+    const auto element = [&](ElementRef e) { return elementText(body_.mesh(), e); };
+    event(
+        "not_certified", "first step that is not proven stable",
+        [](const AuditedState& s) { return s.verdict() && s.verdict() != Verdict::certified; },
+        [](const AuditedState& s) {
+          return fmt::format(": h = {:.6g} s, safe {:.6g} s{}", *s.step, s.bracket->safe,
+                             s.indefinite() ? "; " + indefiniteText(*s.bracket) : "");
+        });
+    const bool violated = event(
+        "violated", "first step that is proven unstable", [](const AuditedState& s) { return s.violated(); },
+        [&](const AuditedState& s) {
+          return fmt::format(": h = {:.6g} s, above {:.6g} s; controlling {}", *s.step, s.bracket->optimistic,
+                             element(s.bracket->controlling));
+        });
+    event(
+        "indefinite", "first indefinite tangent, which no step cures",
+        [](const AuditedState& s) { return s.indefinite(); },
+        [&](const AuditedState& s) { return fmt::format(": {}", element(s.bracket->lowestRingElement)); });
+    const bool inverted = event(
+        "inverted", "first inverted element", [](const AuditedState& s) { return s.inverted(); },
+        [&](const AuditedState& s) {
+          return fmt::format(": det F = {:.4g} in {}", s.least->value, element(s.least->element));
+        });
+    const bool lost = event(
+        "lost", "first state that is lost", [](const AuditedState& s) { return s.lost(); },
+        [](const AuditedState& s) { return ": " + s.why; });
+    const bool known = std::ranges::any_of(states_, [](const AuditedState& s) { return s.step.has_value(); });
+    const bool open =
+        std::ranges::any_of(states_, [](const AuditedState& s) { return s.verdict() == Verdict::notCertified; });
+    if (violated || inverted || lost)
+      result.status = ExitStatus::unstable;
+    else if (open)
+      result.status = ExitStatus::notCertified;
+    conclude(result);
+    if (!known)
+      result.text += "the results do not tell which step was taken; --step h holds one against the brackets\n";
+    result.text += fmt::format("note: {}\n", honestLimit);
+    result.json["note"] = honestLimit;
+  }
+
+ private:
+  /// What a user asks first: how large the steps were beside what is proven of the same states.
+  void conclude(AuditResult& result) const {
+    Json& steps = result.json["steps"] = nullptr;
+    const AuditedState* closest = nullptr;
+    double largest = 0, least = infinity;
+    bool curable = true;
+    for (const AuditedState& state : states_) {
+      if (!state.verdict()) continue;
+      curable = curable && !state.indefinite();
+      if (state.indefinite()) continue;
+      const auto share = [](const AuditedState& of) { return *of.step / of.bracket->safe; };
+      if (!closest || share(state) > share(*closest)) closest = &state;
+      largest = std::max(largest, *state.step);
+      least = std::min(least, state.bracket->safe);
+    }
+    if (!closest || !std::isfinite(least)) return;
+    const double share = *closest->step / closest->bracket->safe;
+    steps =
+        Json{{"largest", largest}, {"largest_share", share}, {"state", closest->index + 1}, {"proven_in_all", least}};
+    result.text += fmt::format(
+        "the step came to {:.3g} times the proven one, in {}; {:.6g} s is proven in every one of these states{}, "
+        "{:.3g} "
+        "times the largest step of the run\n",
+        share, nameOf(*closest), least, curable ? "" : " whose tangent is not indefinite", least / largest);
+  }
+
+  void table(std::string& text, bool all) const {
+    text += fmt::format("  {:>6} {:>12} {:>12} {:>12} {:>12}  {:<13} {:>12}  {}\n", "state", "time (s)", "step (s)",
+                        "safe (s)", "optim. (s)", "verdict", "strain (J)", "controlling element");
+    constexpr std::size_t usual = 30;
+    const std::size_t stride = all ? 1 : std::max<std::size_t>(1, (states_.size() + usual - 1) / usual);
+    std::string before;
+    for (std::size_t i = 0; i < states_.size(); ++i) {
+      const AuditedState& s = states_[i];
+      const std::string verdict = verdictText(s);
+      // Where the verdict changes there is always a line.
+      if (i % stride == 0 || i + 1 == states_.size() || verdict != before) {
+        text += fmt::format("  {:>6} {:>12} {:>12} {:>12} {:>12}  {:<13} {:>12}  {}\n", s.index + 1, numberText(s.time),
+                            numberText(s.step), s.bracket ? numberText(s.bracket->safe) : "-",
+                            s.bracket ? numberText(s.bracket->optimistic) : "-",
+                            s.inverted() && !s.lost() ? verdict + ", inv." : verdict,
+                            s.notFinite > 0 ? "-" : numberText(s.strainEnergy),
+                            s.bracket ? shortElement(s.bracket->controlling) : shortened(s.why));
+      }
+      before = verdict;
+    }
+  }
+  std::string shortElement(ElementRef e) const {
+    const MeshBlock& block = body_.mesh().blocks[e.block];
+    return fmt::format("{} {}", elementInfo(block.type).name, block.id(e.element));
+  }
+
+  const Body& body_;
+  const std::vector<AuditedState>& states_;
+};
+
+}  // namespace
+
+std::string junitText(const Json& audit) {
+  std::string cases;
+  int failures = 0;
+  for (const Json& state : audit["history"]) {
+    const auto verdict = state["verdict"].get<std::string>();
+    std::string fault = verdict == "certified" || verdict == "-" ? "" : verdict;
+    if (state["indefinite"] && !fault.empty()) fault += ", the tangent is indefinite";
+    if (state["inverted"]) fault += fault.empty() ? "an element is inverted" : ", an element is inverted";
+    cases += fmt::format("  <testcase classname=\"ringwatch.audit\" name=\"state {}, {}\"", state["state"].get<int>(),
+                         markupText(state["where"].get<std::string>()));
+    if (fault.empty()) {
+      cases += "/>\n";
+      continue;
+    }
+    ++failures;
+    cases += fmt::format(">\n    <failure message=\"{}: step {} s, safe {} s, optimistic {} s\"/>\n  </testcase>\n",
+                         fault, state["step"].dump(), state["safe"].dump(), state["optimistic"].dump());
+  }
+  return fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"{}\" tests=\"{}\" "
+      "failures=\"{}\">\n{}</testsuite>\n",
+      markupText(audit["results"].get<std::string>()), audit["history"].size(), failures, cases);
+}
+
+AuditResult auditResults(const AuditOptions& options) {
+  Scene scene = sceneOfAudit(options);
+  applyLaw(scene, options);
+  requireTaken(scene, SceneUse::audit);
+  double limit = 0;
+  const IntegratorInfo* integrator = nullptr;
+  const StepRule rule = ruleOf(scene, options, limit, integrator);
+  std::vector<std::string> notes;
+  const ResultSeries series(options.results, options.displacement, &notes);
+  const std::string name = options.results.front().string();
+
+  Mesh mesh = options.scene.empty() ? series.mesh() : sceneMesh(scene, notes);
+  if (options.scene.empty()) requireSound(mesh, name, &notes);
+  // Loads and motions do not change the tangent; nodes that move as prescribed are no unknowns.
+  for (const Scene::Move& move : scene.moves) scene.fixes.push_back({move.nodes, move.components});
+  scene.moves.clear();
+  scene.forces.clear();
+  scene.initials.clear();
+  scene.pressures.clear();
+  const Body body = sceneBody(scene, std::move(mesh), options.threads);
+  const std::vector<std::int32_t> same =
+      options.scene.empty() ? std::vector<std::int32_t>() : sameNodes(body.mesh(), series.mesh(), name);
+
+  const std::vector<ResultEntry>& entries = series.entries();
+  const std::vector<std::optional<double>> steps = stepsTaken(entries, options, scene);
+  const auto positions = [&](std::size_t i) {
+    NodeVectors theirs = series.positions(i);
+    if (same.empty()) return theirs;
+    NodeVectors x = body.mesh().X;
+    for (Eigen::Index k = 0; k < x.cols(); ++k)
+      if (const std::int32_t node = same[static_cast<std::size_t>(k)]; node >= 0)
+        x.col(k) += theirs.col(node) - series.mesh().X.col(node);
+    return x;
+  };
+  std::vector<AuditedState> states;
+  ProgressLine progress(true);
+  StandingBody standing(body);
+  for (std::size_t i = 0; i < entries.size(); i += static_cast<std::size_t>(options.every)) {
+    const Body* left = standing.without(series.deleted(i), series.mesh(), options.scene.empty(), entries[i].where);
+    states.push_back(
+        audited(left, positions(i), rule, {i, entries[i].time, steps[i], entries[i].increment, entries[i].where}));
+    AuditedState& state = states.back();
+    state.deleted = standing.deletedElements();
+    if (state.least) state.least->element = standing.inWhole(state.least->element);
+    if (state.bracket)
+      for (ElementRef* element :
+           {&state.bracket->controlling, &state.bracket->lowestRingElement, &state.bracket->worstConditioned})
+        *element = standing.inWhole(*element);
+    const double done = static_cast<double>(i + 1) / static_cast<double>(entries.size());
+    if (progress.due()) progress.show(fmt::format("state {} of {}", i + 1, entries.size()), done);
+  }
+  progress.clear();
+  if (const auto most = std::ranges::max_element(states, {}, &AuditedState::deleted); most->deleted > 0)
+    notes.push_back(
+        fmt::format("elements that the other program has deleted are left out of their states, {} of {} in "
+                    "state {}; their masses stay at their nodes",
+                    most->deleted, body.mesh().elementCount(), most->index + 1));
+  const CriticalStep rest = criticalStep(body, body.mesh().X, rule);
+
+  AuditResult result;
+  result.json = Json{{"results", name},
+                     {"states", entries.size()},
+                     {"law", modelsText(scene.materials)},
+                     {"limit", limit},
+                     {"displacement", series.displacement()},
+                     {"mesh", meshJson(body.mesh(), body.volume())},
+                     {"mass", body.totalMass()},
+                     {"at_rest", {{"safe", rest.safe}, {"optimistic", rest.optimistic}}}};
+  Json list = Json::array();
+  for (const AuditedState& state : states) list.push_back(stateJson(body.mesh(), state));
+  result.text = fmt::format("{}: {} states, {} nodes, {}; {}, limit h omega = {:.6g}\n", name, entries.size(),
+                            body.mesh().nodeCount(), elementCounts(body.mesh()), modelsText(scene.materials), limit);
+  for (const std::string& note : notes) result.text += fmt::format("  note: {}\n", note);
+  result.text += fmt::format("  at rest: safe {:.6g} s, optimistic {:.6g} s\n", rest.safe, rest.optimistic);
+  std::vector<AuditEvent> events;
+  AuditReport(body, states).write(result, events, options.all);
+  result.json["history"] = std::move(list);
+  if (options.page)
+    options.page({name, body, integrator, rule, scene.damping, states, events,
+                  [&](const AuditedState& state) { return positions(state.index); }, result.json, notes});
+  return result;
+}
+
+}  // namespace ringwatch

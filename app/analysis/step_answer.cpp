@@ -1,0 +1,69 @@
+#include <ringwatch/app/analysis/step_answer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include <fmt/format.h>
+
+#include <ringwatch/app/scene/scene.h>
+#include <ringwatch/monitor/event.h>
+#include <ringwatch/monitor/stability_monitor.h>
+
+namespace ringwatch {
+
+using Json = nlohmann::ordered_json;
+
+double stepsIn(double time, double h) {
+  if (!(h > 0)) return 0;
+  const double count = std::max(1.0, std::ceil(time / h));
+  return time / count <= h ? count : count + 1;  // a quotient that was rounded down
+}
+
+std::string indefiniteText(const CriticalStep& bracket) {
+  return bracket.indefinite() ? fmt::format("the tangent is indefinite, eigenvalue {:.6g} rad2/s2: no step cures that",
+                                            bracket.lowestRing)
+                              : "";
+}
+
+std::string_view stableUpTo(const CriticalStep& bracket) {
+  return bracket.indefinite() ? "safe for the highest frequency alone" : "stable";
+}
+
+std::string verdictText(Verdict verdict, const CriticalStep& bracket, const std::string& mayBeStable) {
+  return verdict == Verdict::certified  ? "proven stable"
+         : verdict == Verdict::violated ? "proven unstable"
+         : bracket.indefinite()         ? fmt::format("not proven stable ({})", indefiniteText(bracket))
+         : mayBeStable.empty()          ? "neither proven stable nor unstable"
+                                        : fmt::format("not proven stable ({})", mayBeStable);
+}
+
+Verdict verdictOf(double step, const CriticalStep& bracket, const std::string& mayBeStable) {
+  const Verdict verdict = verdictOfState(step, bracket);
+  return verdict == Verdict::violated && !mayBeStable.empty() ? Verdict::notCertified : verdict;
+}
+
+StepAnswer answerStep(double step, const CriticalStep& bracket, const std::string& mayBeStable) {
+  const Verdict verdict = verdictOf(step, bracket, mayBeStable);
+  StepAnswer answer{Json{{"asked", step}, {"verdict", std::string(verdictName(verdict))}, {"steps", nullptr}}, ""};
+  std::string& text = answer.text;
+  text = fmt::format("your timestep {:.6g} s is {}", step, verdictText(verdict, bracket, mayBeStable));
+  if (verdict == Verdict::violated) text += fmt::format(", as is every one above {:.6g} s", bracket.optimistic);
+  if (bracket.indefinite()) {
+    text += verdict == Verdict::violated ? "; " + indefiniteText(bracket) + "\n" : "\n";
+    return answer;
+  }
+  const double count = stepsIn(step, bracket.safe);
+  if (count == 0 || !(count <= mostSteps)) {
+    text += "; no step is proven stable\n";
+    return answer;
+  }
+  answer.json["steps"] = static_cast<std::int64_t>(count);
+  answer.json["step"] = step / count;
+  text += fmt::format("; largest proven stable: {:.6g} s", bracket.safe);
+  if (count > 1) text += fmt::format(", so {} substeps of {:.6g} s", static_cast<std::int64_t>(count), step / count);
+  text += "\n";
+  return answer;
+}
+
+}  // namespace ringwatch

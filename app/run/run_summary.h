@@ -1,0 +1,18 @@
+#pragma once
+#include <filesystem>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include <ringwatch/app/run/run_result.h>
+#include <ringwatch/app/scene/scene.h>
+
+namespace ringwatch {
+
+/// summary.json of a run.
+nlohmann::ordered_json summaryJson(const Scene& scene, const Body& body, const RunResult& result);
+/// The few lines that a run says of itself.
+std::string summaryText(const Scene& scene, const Body& body, const RunResult& result,
+                        const std::filesystem::path& folder);
+
+}  // namespace ringwatch
