@@ -26,14 +26,15 @@
 #include <ringwatch/verify/integrators/oscillator.h>
 
 #include <tests/support/dense.h>
-#include <tests/verify/report_tools.h>
 
 namespace ringwatch {
 namespace {
 
 TEST(Sundials, IntegratorsLiveUpToTheirDeclarations) {
   const StudyReport report = verifyIntegrators(StudyEffort::quick, sundialsIntegrators());
-  test::expectHolds(report);
+  EXPECT_FALSE(report.checks.empty());
+  for (const StudyCheck& check : report.checks)
+    EXPECT_TRUE(check.passed()) << check.name << ": measured " << check.measured << ", expected " << check.expected;
 }
 
 TEST(Sundials, DocumentationHoldsTheTableOfDeclarations) {
