@@ -23,7 +23,7 @@ class DeckProgram : public Program {
   void expectSame(const std::string& name, const std::string& deck, const std::string& scene,
                   const std::string& integrator, const std::string& mesh = "") {
     use(name, deck);
-    ++decks_;
+    ++heldDecks;
     folder_.write("scene.toml", "[mesh]\n" + (mesh.empty() ? "file = \"" + name + "\"\n" : mesh) + "[integrator]\n" +
                                     integrator + scene);
     const Outcome ofDeck = call("run " + name + " --out d --set output.picture=false"),
@@ -55,14 +55,14 @@ class DeckProgram : public Program {
     for (std::string line; std::getline(lines, line);) {
       if (!line.starts_with('*') || line.starts_with("**")) continue;
       std::erase(line, ' ');
-      used_.insert(detail::inUpperCase(line.substr(1, line.find(',') - 1)));
+      usedKeywords.insert(detail::inUpperCase(line.substr(1, line.find(',') - 1)));
     }
   }
   /// Once all tests of a suite have run, decks that were held to scenes have used every keyword that is taken.
   static void expectAllUsed(std::span<const DeckKeywordRule> rules) {
     const auto* suite = ::testing::UnitTest::GetInstance()->current_test_suite();
-    const std::set<std::string> used = std::exchange(used_, {});
-    const int decks = std::exchange(decks_, 0);
+    const std::set<std::string> used = std::exchange(usedKeywords, {});
+    const int decks = std::exchange(heldDecks, 0);
     if (suite->successful_test_count() < suite->total_test_count()) return;
     EXPECT_GE(decks, 20);
     for (const DeckKeywordRule& row : rules) {
@@ -80,8 +80,8 @@ class DeckProgram : public Program {
       }
     }
   }
-  static inline std::set<std::string> used_;
-  static inline int decks_ = 0;
+  static inline std::set<std::string> usedKeywords;
+  static inline int heldDecks = 0;
   double mass_ = 0;
   std::string out_;
 };
