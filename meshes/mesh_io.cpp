@@ -1,6 +1,7 @@
 #include <ringwatch/meshes/mesh_io.h>
 
 #include <algorithm>
+#include <iterator>
 #include <vector>
 
 #include <ringwatch/base/registry.h>
@@ -8,6 +9,7 @@
 #include <ringwatch/meshes/formats/deck_lines.h>
 #include <ringwatch/meshes/formats/file_cursor.h>
 #include <ringwatch/meshes/formats/mesh_readers.h>
+#include <ringwatch/meshes/modify/repair.h>
 
 namespace ringwatch {
 namespace {
@@ -137,8 +139,13 @@ std::string writableExtensions() {
 
 Mesh readMesh(const fs::path& path, std::vector<std::string>* notes) { return read(path, notes, nullptr); }
 
-Mesh loadMesh(const fs::path& path, std::vector<std::string>* notes) {
+Mesh loadMesh(const fs::path& path, std::vector<std::string>* notes, bool repair) {
   Mesh mesh = readMesh(path, notes);
+  if (repair) {
+    RepairedMesh repaired = repairMesh(std::move(mesh), path.string());
+    if (notes != nullptr) std::ranges::move(repaired.done, std::back_inserter(*notes));
+    mesh = std::move(repaired.mesh);
+  }
   requireSound(mesh, path.string(), notes);
   return mesh;
 }

@@ -52,8 +52,8 @@ std::string writableExtensions();
 /// would be right.
 Mesh readMesh(const std::filesystem::path& path, std::vector<std::string>* notes = nullptr);
 
-/// `readMesh` followed by `requireSound`: a mesh to compute with.
-Mesh loadMesh(const std::filesystem::path& path, std::vector<std::string>* notes = nullptr);
+/// `readMesh` followed by `requireSound`: a mesh to compute with. repair: `repairMesh` mends it before.
+Mesh loadMesh(const std::filesystem::path& path, std::vector<std::string>* notes = nullptr, bool repair = false);
 
 /// A mesh at rest and a deformed state of it.
 struct MeshState {

@@ -103,10 +103,10 @@ HeldMesh meshOf(py::handle points, const py::object& cells, const py::dict& node
   return sound(std::move(mesh), "mesh");
 }
 
-HeldMesh load(const std::filesystem::path& path) {
+HeldMesh load(const std::filesystem::path& path, bool repair) {
   HeldMesh made;
   const py::gil_scoped_release release;
-  Mesh mesh = loadMesh(path, &made.notes);
+  Mesh mesh = loadMesh(path, &made.notes, repair);
   for (std::string& note : meshNotes(mesh, path.string())) made.notes.push_back(std::move(note));
   made.mesh = std::make_shared<const Mesh>(std::move(mesh));
   return made;
@@ -254,10 +254,12 @@ void bindMesh(py::module_& module) {
       },
       "Writes the mesh, as .msh or .vtu.", py::arg("path"));
   module.def("_elements", &elements);
-  bindFunction(module, "load_mesh", &load,
-               "Reads a mesh to compute with, in the formats of `ringwatch help formats`. Coordinates are taken as m. "
-               "Raises\nInputError with the line that the command line prints.",
-               "", py::arg("path"));
+  bindFunction(
+      module, "load_mesh", &load,
+      "Reads a mesh to compute with, in the formats of `ringwatch help formats`. Coordinates are taken as m. "
+      "With repair\nit is mended first, as by `ringwatch mesh repair`. Raises InputError with the line that the "
+      "command line prints.",
+      "", py::arg("path"), py::kw_only(), py::arg("repair") = false);
   bindFunction(module, "generate_mesh", &generate,
                "Makes a mesh from parameters, as `ringwatch help generators` lists them: generate_mesh(\"bar\", "
                "cells=[8, 2, 2]).",

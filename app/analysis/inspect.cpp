@@ -181,6 +181,7 @@ Subject subjectOfRun(const InspectOptions& options) {
 Subject subjectOfModel(const InspectOptions& options) {
   std::vector<std::string> overrides;
   if (options.density) overrides.push_back(fmt::format("material.density={}", *options.density));
+  if (options.repair) overrides.emplace_back("mesh.repair=true");
   Scene scene = sceneOfModel(options.mesh, DeckUse::model, overrides);
   scene.meshOrigin = options.mesh.string();
   override(scene, options);
@@ -244,7 +245,7 @@ Subject subjectOf(const InspectOptions& options) {
   if (options.displacement) {
     state = loadVtuState(options.mesh, *options.displacement, &notes);
   } else {
-    state.mesh = loadMesh(options.mesh, &notes);
+    state.mesh = loadMesh(options.mesh, &notes, options.repair);
     state.x = state.mesh.X;
   }
   for (std::string& note : meshNotes(state.mesh, options.mesh.string())) notes.push_back(std::move(note));
@@ -499,6 +500,8 @@ void checkOptions(const InspectOptions& options) {
         fmt::format("--lanczos: {} is out of range; must be > 0 and <= 0.5, a probability", *options.lanczos));
   if (options.certificate && options.exact && options.prove)
     throw InputError("--certificate: with --exact and --prove it could be of either; give one of them");
+  if (options.repair && (options.frame || options.displacement))
+    throw InputError("--repair: is of a mesh at rest; leave out --frame and --displacement");
   if (options.picture) checkPictureName(*options.picture);
 }
 

@@ -36,6 +36,7 @@ struct InspectCommand final : Command {
         ->add_option("--model", options.model,
                      fmt::format("constitutive law (default: {})", InspectOptions::usualModel))
         ->type_name("LAW");
+    command->add_flag("--repair", options.repair, "mend the mesh first, as ringwatch mesh repair does");
     command
         ->add_option("--displacement", options.displacement,
                      "field of displacements, m, in a .vtu file: inspect that deformed state")

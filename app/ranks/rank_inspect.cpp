@@ -34,6 +34,7 @@ namespace {
 
 void requireDistributable(const InspectOptions& options) {
   for (const auto& [given, option] : {std::pair{options.step.has_value(), "--step"},
+                                      {options.repair, "--repair"},
                                       {!options.metrics.empty(), "--metric"},
                                       {options.lanczos.has_value(), "--lanczos"},
                                       {options.exact, "--exact"},

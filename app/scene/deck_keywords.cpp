@@ -31,8 +31,7 @@ constexpr std::string_view laterInTime = "moves the times of its amplitude";
 /// Every keyword of Abaqus and CalculiX that is known. One that is not here is refused.
 constexpr DeckKeywordRule keywordRules[] = {
     {DeckRule::mesh,
-     "NODE SYSTEM NGEN NFILL ELEMENT ELGEN NSET ELSET PART ENDPART ASSEMBLY ENDASSEMBLY INSTANCE ENDINSTANCE INCLUDE "
-     "END"},
+     "NODE SYSTEM NGEN NFILL ELEMENT ELGEN NSET ELSET PART ENDPART ASSEMBLY ENDASSEMBLY INSTANCE ENDINSTANCE INCLUDE"},
     {DeckRule::taken,
      "MATERIAL ELASTIC HYPERELASTIC DENSITY DAMPING BULKVISCOSITY FIXEDMASSSCALING VARIABLEMASSSCALING SECTIONCONTROLS "
      "SOLIDSECTION MASS SPRING DASHPOT RIGIDBODY BOUNDARY INITIALCONDITIONS SURFACE CONTACT CONTACTINCLUSIONS "
@@ -434,7 +433,7 @@ std::string deckHelp() {
       "Abaqus and CalculiX decks in place of a scene (run) or a mesh (inspect); blanks in keywords do not count, and "
       "whatever\nis not listed is refused.\n\n";
   text += keywordListing(keywordRules);
-  text += "\nparameters of keywords that are taken; whatever is not listed is refused:\n";
+  text += "\nparameters of keywords that are taken, beside INPUT=; whatever is not listed is refused:\n";
   for (const DeckKeywordRule& row : keywordRules)
     forEachName(row, [&](std::string_view name) {
       if (const std::string taken = takenParameters(name); !taken.empty())

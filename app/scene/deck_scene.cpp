@@ -215,8 +215,15 @@ class DeckReader : DeckWriter {
     if (!follow(rule->rule, "", rule->why) || !takesParameters(name, rule->rule)) return;
     if (std::ranges::find(withoutData, name) != std::end(withoutData)) reading_ = Reading::noData;
     if (rule->rule == DeckRule::mesh) meshKeyword(name);
-    if (rule->rule == DeckRule::taken || (rule->rule == DeckRule::takenInRun && forRun())) take(name);
+    const bool taken = isTaken(rule->rule);
+    if (taken) take(name);
+    if (!keyword_.has("INPUT")) return;
+    if (reading_ != Reading::nothing && reading_ != Reading::noData)
+      lines_.include(keyword_);
+    else if (taken)
+      refuse(keyword_.position, fmt::format("*{}, INPUT: it has no lines to take from a file", keyword_.name));
   }
+  bool isTaken(DeckRule rule) const { return rule == DeckRule::taken || (rule == DeckRule::takenInRun && forRun()); }
   /// Names go into files of JSON.
   void requireUtf8(std::string_view text, std::size_t position) const {
     if (std::ranges::all_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x80; })) return;
@@ -237,13 +244,13 @@ class DeckReader : DeckWriter {
   }
   /// Whether all that a keyword line says besides its name is done.
   bool takesParameters(const std::string& name, DeckRule rule) {
-    const bool taken = rule == DeckRule::taken || (rule == DeckRule::takenInRun && forRun());
+    const bool taken = isTaken(rule);
     bool all = true;
     for (const auto& [parameter, value] : keyword_.parameters) {
       const std::string what = fmt::format("{}{}{}", shortened(parameter), value.empty() ? "" : "=", shortened(value));
       if (const DeckParameterRule* known = findParameterRule(name, parameter, withoutBlanks(inUpperCase(value)))) {
         if (taken || known->rule == DeckRule::refused) all = follow(known->rule, what, known->why) && all;
-      } else if (taken) {
+      } else if (taken && parameter != "INPUT") {
         const std::string takes = takenParameters(name);
         refuse(keyword_.position, fmt::format("*{}, {} is not taken; {}", keyword_.name, what,
                                               takes.empty() ? "there are no parameters" : takes + " are"));
@@ -546,8 +553,10 @@ class DeckReader : DeckWriter {
       case Reading::dynamic:
         if (dataLines_ > 1) return refuse(line.position, "*DYNAMIC has a second line; it has one");
         if (constexpr std::size_t times = 4; hasAtMost(times, words, line.position))
-          for (std::size_t i = 0; i < words.size(); ++i)
+          for (std::size_t i = 0; i < words.size(); ++i) {
             times_.push_back(words[i].empty() ? 0 : lines_.real(words[i], "a time of *DYNAMIC", line.position));
+            if (times_.back() < 0) refuse(line.position, "*DYNAMIC: a time is below 0");
+          }
         return;
       case Reading::cload:
         return cload(words, line.position);
@@ -680,6 +689,7 @@ class DeckReader : DeckWriter {
 
   /// A set by its name as the mesh has it, or "#12" for a node.
   std::string selectionOf(std::string_view word, std::size_t position) {
+    if (word.empty()) lines_.failAt(position, "a node or set is missing");
     if (const auto known = nodeSets_.find(inUpperCase(word)); known != nodeSets_.end()) return known->second;
     const std::string name = nameIn(&Mesh::nodeSets, word, position);
     return isNumber(name) ? fmt::format("#{}", lines_.number(name, "the number of a node", position)) : name;
@@ -761,11 +771,9 @@ class DeckReader : DeckWriter {
     struct Named {
       std::string_view name, components, turns;
     };
-    static constexpr Named named[] = {{"ENCASTRE", "xyz", "xyz"},
-                                      {"PINNED", "xyz", ""},
-                                      {"XSYMM", "x", "yz"},
-                                      {"YSYMM", "y", "xz"},
-                                      {"ZSYMM", "z", "xy"}};
+    static constexpr Named named[] = {{"ENCASTRE", "xyz", "xyz"}, {"PINNED", "xyz", ""}, {"XSYMM", "x", "yz"},
+                                      {"YSYMM", "y", "xz"},       {"ZSYMM", "z", "xy"},  {"XASYMM", "yz", "x"},
+                                      {"YASYMM", "xz", "y"},      {"ZASYMM", "xy", "z"}};
     const std::string word = inUpperCase(words[1]);
     if (const auto* known = std::ranges::find(named, word, &Named::name); known != std::end(named)) {
       held.components = known->components;
@@ -948,10 +956,12 @@ class DeckReader : DeckWriter {
   }
 
   void writeMaterials() {
-    if (sections_.empty())
+    if (sections_.empty()) {
+      (void)mesh();  // which may have no solids
       throw InputError(
           fmt::format("{}: no *SOLID SECTION gives the elements a material{}", file_.string(),
                       forRun() ? "" : "; give a law to take the mesh alone: --young, --poisson, --density"));
+    }
     Json list = Json::array();
     std::vector<std::string> origins;
     const auto materialOf = [&](const DeckSection& section) -> const DeckMaterial& {

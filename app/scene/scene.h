@@ -229,6 +229,7 @@ struct Scene {
   std::string where(const std::string& sectionOrKey) const;
 
   std::filesystem::path meshFile;  // empty when generated
+  bool repair = false;             // it is mended first
   std::string generator;
   nlohmann::ordered_json generatorArguments;
   std::string meshOrigin;  // "scene.toml:3: mesh.file", for messages

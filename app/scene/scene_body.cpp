@@ -167,8 +167,9 @@ Mesh sceneMesh(const Scene& scene, std::vector<std::string>& notes) {
   if (scene.generator.empty()) {
     try {
       std::vector<std::string> read;
-      Mesh mesh =
-          isMjcfFile(scene.meshFile) ? meshOfFlexes(readFlexModel(scene.meshFile)) : loadMesh(scene.meshFile, &read);
+      const bool flexes = isMjcfFile(scene.meshFile);
+      if (flexes && scene.repair) throw InputError("mesh.repair: flexes are as MuJoCo makes them; leave it out");
+      Mesh mesh = flexes ? meshOfFlexes(readFlexModel(scene.meshFile)) : loadMesh(scene.meshFile, &read, scene.repair);
       // What a deck holds beside its mesh has become the scene.
       if (scene.ofModel)
         std::erase_if(read, [](const std::string& note) { return note.find(detail::deckSkippedNote) != note.npos; });

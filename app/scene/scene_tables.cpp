@@ -136,6 +136,7 @@ class Reader {
       throw InputError(fmt::format("{}: is a device; a scene file (TOML) is needed", file_.string()));
     constexpr std::size_t mostBytes = std::size_t{16} << 20;
     const std::string content = readBytes(file_, "; a scene file (TOML) is needed", mostBytes + 1);
+    detail::requireContent(file_, content);
     if (isMeshFile(file_))
       throw InputError(
           fmt::format("{}: is a mesh; give a scene (TOML) with [mesh] file = {}, or call ringwatch inspect "

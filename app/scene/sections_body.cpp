@@ -17,12 +17,13 @@ void checkMeshKeys(const SceneTable& table, Scene& scene) {
   if (!generated && scene.meshFile.is_relative()) scene.meshFile = scene.file.parent_path() / scene.meshFile;
   scene.generatorArguments = generated ? generatorDefaults(scene.generator) : nlohmann::ordered_json::object();
   for (const auto& [key, entry] : table.entries) {
-    if (key == "file" || key == "generate") continue;
+    if (key == "file" || key == "generate" || key == "repair") continue;
     const std::string fault = generated ? generatorFault(scene.generator, key, entry.value)
                                         : "is a parameter of generators; a mesh file takes none";
     if (!fault.empty()) fail(entry.origin, "mesh." + key, fault);
     scene.generatorArguments[key] = entry.value;
   }
+  if (generated && scene.repair) fail(table.at("repair").origin, "mesh.repair", "goes with a file");
   if (generated) scene.echo["mesh"].update(scene.generatorArguments);
 }
 
@@ -118,6 +119,7 @@ SceneSection meshSection() {
        .alternatives = {{"file", "generate"}}},
       {{{{.key = "file", .type = SceneType::text, .help = "mesh file, relative to the scene; or give generate"},
          [](const SceneTable& table, Scene& scene) { scene.meshFile = table.get<std::string>("file"); }},
+        key("repair", &Scene::repair, "mend the file's mesh first, as `ringwatch mesh repair` does"),
         key("generate", &Scene::generator, "kind of generated mesh, instead of file", {.choices = generatorNames()})},
        unbound<Scene>(generatorSceneKeys())},
       checkMeshKeys);

@@ -22,6 +22,12 @@ std::string_view trimmedLine(std::string_view text) {
   return text;
 }
 
+/// A name in quotes, which may hold blanks.
+std::string_view unquoted(std::string_view text) {
+  const bool quoted = text.size() > 1 && text.front() == '"' && text.back() == '"';
+  return quoted ? text.substr(1, text.size() - 2) : text;
+}
+
 /// Skips a line from `at` and returns it.
 std::string_view nextLine(std::string_view text, std::size_t& at) {
   const std::size_t begin = at, end = std::min(text.find('\n', begin), text.size());
@@ -213,9 +219,8 @@ DeckKeyword DeckLines::keyword(const DeckLine& first) {
       keyword.name = keywordName(field.substr(1));
     } else {
       const std::size_t equals = field.find('=');
-      std::string_view value =
-          equals == std::string_view::npos ? std::string_view() : trimmedLine(field.substr(equals + 1));
-      if (value.size() > 1 && value.front() == '"' && value.back() == '"') value = value.substr(1, value.size() - 2);
+      const std::string_view value =
+          equals == std::string_view::npos ? std::string_view() : unquoted(trimmedLine(field.substr(equals + 1)));
       std::string key = inUpperCase(trimmedLine(field.substr(0, equals)));
       std::erase(key, ' ');  // REF NODE is REFNODE
       const auto [known, isNew] = keyword.parameters.try_emplace(key, value);
@@ -232,7 +237,7 @@ std::vector<std::string_view> DeckLines::fields(std::string_view line) {
   std::vector<std::string_view> result;
   for (std::size_t begin = 0; begin <= line.size();) {
     const std::size_t end = std::min(line.find(',', begin), line.size());
-    result.push_back(trimmedLine(line.substr(begin, end - begin)));
+    result.push_back(unquoted(trimmedLine(line.substr(begin, end - begin))));
     begin = end + 1;
   }
   if (result.size() > 1 && result.back().empty()) result.pop_back();  // the line ends with a comma

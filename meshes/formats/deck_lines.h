@@ -62,7 +62,7 @@ class DeckLines {
   /// Reads another file next, whose name a keyword's parameter INPUT gives; then the lines go on where they are.
   void include(const DeckKeyword& keyword);
 
-  /// The words between commas, trimmed; a comma at the end of the line adds none.
+  /// The words between commas, trimmed and without quotes; a comma at the end of the line adds none.
   static std::vector<std::string_view> fields(std::string_view line);
   /// Throw InputError where the word is no whole number of 1 and more, or no number. what: its name in the message.
   std::int64_t number(std::string_view word, std::string_view what, std::size_t position) const;

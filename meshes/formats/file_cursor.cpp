@@ -28,6 +28,12 @@ std::filesystem::file_status statusOfFile(const std::filesystem::path& path) {
   return status;
 }
 
+/// Takes the byte order mark away, and line ends that are CR alone for those that they stand for.
+void takeBegin(std::string& text) {
+  text.erase(0, byteOrderMarkOf(text));
+  if (text.find_first_of(std::string_view("\n\0", 2)) == std::string::npos) std::ranges::replace(text, '\r', '\n');
+}
+
 }  // namespace
 
 MappedFile::MappedFile(const std::filesystem::path& path) {
@@ -47,6 +53,17 @@ MappedFile::MappedFile(const std::filesystem::path& path) {
 
 MappedFile::~MappedFile() { ::munmap(const_cast<char*>(data_), size_); }
 
+void requireContent(const std::filesystem::path& path, const std::string& text) {
+  const std::string name = path.string();
+  if (text.find_first_not_of(" \t\n") == std::string::npos) throw InputError(name + ": the file is empty");
+  if (text.starts_with("version https://git-lfs.github.com/"))
+    throw InputError(name + ": this is a pointer of Git LFS, not the file itself; git lfs pull brings it");
+  for (const std::string_view mark : {"\xFF\xFE", "\xFE\xFF"})
+    if (text.starts_with(mark)) throw InputError(name + ": this is a text in UTF-16; save it as UTF-8");
+  for (const std::string_view packed : {"\x1f\x8b", "PK\x03\x04", "BZh9", "\3757zXZ", "7z\xbc\xaf", "\x28\xb5\x2f\xfd"})
+    if (text.starts_with(packed)) throw InputError(name + ": this is a packed file; unpack it");
+}
+
 std::string readWholeFile(const std::filesystem::path& path) {
   std::error_code error;
   const std::string name = path.string();
@@ -65,14 +82,8 @@ std::string readWholeFile(const std::filesystem::path& path) {
   if (pipe && text.size() > mostPipedBytes)
     throw InputError(joinText(name, ": cannot read: more than ", mostPipedBytes >> 30,
                               " GiB come through the pipe; put the mesh into a file"));
-  text.erase(0, byteOrderMarkOf(text));
-  if (text.empty()) throw InputError(name + ": the file is empty");
-  if (text.starts_with("version https://git-lfs.github.com/"))
-    throw InputError(name + ": this is a pointer of Git LFS, not the file itself; git lfs pull brings it");
-  for (const std::string_view mark : {"\xFF\xFE", "\xFE\xFF"})
-    if (text.starts_with(mark)) throw InputError(name + ": this is a text in UTF-16; save it as UTF-8");
-  for (const std::string_view packed : {"\x1f\x8b", "PK\x03\x04", "BZh9", "\3757zXZ", "7z\xbc\xaf", "\x28\xb5\x2f\xfd"})
-    if (text.starts_with(packed)) throw InputError(name + ": this is a packed file; unpack it");
+  takeBegin(text);
+  requireContent(path, text);
   return text;
 }
 
@@ -80,7 +91,8 @@ std::string beginOfFile(const std::filesystem::path& path) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) return {};
   std::string begin = readBytes(path, {}, std::size_t{64} << 10);
-  return begin.erase(0, byteOrderMarkOf(begin));
+  takeBegin(begin);
+  return begin;
 }
 
 std::string inUpperCase(std::string_view word) {

@@ -13,9 +13,12 @@
 
 namespace ringwatch::detail {
 
+/// Throws InputError for a file that is empty, in UTF-16, or stands for another one: a pointer of Git LFS, a packed
+/// file.
+void requireContent(const std::filesystem::path& path, const std::string& text);
 /// The bytes of a file or of a pipe. Throws InputError when it is missing, something else such as a folder or a device,
-/// larger than the machine's memory (through a pipe: than 4 GiB), cannot be read, or stands
-/// for another file: a pointer of Git LFS, a packed file. A byte order mark is left out.
+/// larger than the machine's memory (through a pipe: than 4 GiB), or cannot be read, and as requireContent does. A byte
+/// order mark is left out, and line ends that are CR alone are LF.
 std::string readWholeFile(const std::filesystem::path& path);
 /// The first bytes of a regular file, enough for the comments before what tells its format, without byte order mark; ""
 /// for none that can be read.

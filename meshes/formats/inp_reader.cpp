@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <compare>
 #include <limits>
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -18,58 +20,34 @@
 namespace ringwatch::detail {
 namespace {
 
-/// The type of a deck's element by the number of its VTK cell; nullptr for types without a mesh cell (springs, masses,
-/// …). Where the decks' node order is not VTK's it would be said here; for all of these the two agree.
-const FileElement* elementOfDeck(const std::string& type) {
-  const auto startsWith = [&](std::string_view prefix) { return type.rfind(prefix, 0) == 0; };
-  std::size_t digits = type.size();
-  const auto count = [&](std::size_t from) {
-    digits = from;
-    int n = 0;
-    while (digits < type.size() && std::isdigit(static_cast<unsigned char>(type[digits])) && n < 1000)
-      n = 10 * n + (type[digits++] - '0');
-    return n;
-  };
-  if (startsWith("C3D") || startsWith("F3D") || startsWith("DC3D")) {
-    // Letters after the number (R reduced, I incompatible modes, H hybrid, M modified, T thermal) keep the nodes.
-    switch (count(type.find("3D") + 2)) {
-      case 4:
-        return findVtkElement(10);
-      case 5:
-        return findVtkElement(14);
-      case 6:
-        return findVtkElement(13);
-      case 8:
-        return findVtkElement(12);
-      case 10:
-        return findVtkElement(24);
-      case 13:
-        return findVtkElement(27);
-      case 15:
-        return findVtkElement(26);
-      case 20:
-        return findVtkElement(25);
-      case 27:
-        return findVtkElement(29);
-      default:
-        return nullptr;
-    }
+/// Nodes of a deck's element, and the number of its VTK cell.
+struct DeckShape {
+  int nodes, vtk;
+};
+constexpr DeckShape solidShapes[] = {{4, 10},  {5, 14},  {6, 13},  {8, 12}, {10, 24},
+                                     {13, 27}, {15, 26}, {20, 25}, {27, 29}},
+                    flatShapes[] = {{3, 5}, {4, 9}, {6, 22}, {8, 23}}, lineShapes[] = {{2, 3}, {3, 21}};
+struct DeckFamily {
+  std::string_view prefix;  // letters behind the number of nodes keep them (R reduced, H hybrid, M modified, …)
+  std::span<const DeckShape> shapes;
+};
+/// The order of their nodes is VTK's for all of these.
+constexpr DeckFamily deckFamilies[] = {
+    {"C3D", solidShapes}, {"F3D", solidShapes}, {"DC3D", solidShapes}, {"CPS", flatShapes}, {"CPE", flatShapes},
+    {"CAX", flatShapes},  {"M3D", flatShapes},  {"SFM3D", flatShapes}, {"S", flatShapes},   {"T3D", lineShapes}};
+
+/// nullptr for types without a mesh cell (springs, masses, …).
+const FileElement* elementOfDeck(std::string_view type) {
+  if (type == "B31" || type == "B31R" || type == "B21") return findVtkElement(3);
+  if (type == "B32" || type == "B32R") return findVtkElement(21);
+  for (const auto& [prefix, shapes] : deckFamilies) {
+    int nodes = 0;
+    if (!type.starts_with(prefix) ||
+        std::from_chars(type.data() + prefix.size(), type.data() + type.size(), nodes).ec != std::errc())
+      continue;
+    const auto found = std::ranges::find(shapes, nodes, &DeckShape::nodes);
+    return found == shapes.end() ? nullptr : findVtkElement(found->vtk);
   }
-  for (const std::string_view flat : {"CPS", "CPE", "CAX", "M3D", "SFM3D", "S"})
-    if (startsWith(flat)) switch (count(flat.size())) {
-        case 3:
-          return findVtkElement(5);
-        case 4:
-          return findVtkElement(9);
-        case 6:
-          return findVtkElement(22);
-        case 8:
-          return findVtkElement(23);
-        default:
-          return nullptr;
-      }
-  if (type == "T3D2" || type == "B31" || type == "B31R" || type == "B21") return findVtkElement(3);
-  if (type == "T3D3" || type == "B32" || type == "B32R") return findVtkElement(21);
   return nullptr;
 }
 
@@ -181,12 +159,13 @@ class Deck {
   void begin(const DeckLine& first) {
     finishData();
     keyword_ = lines_.keyword(first);
-    const std::string& name = keyword_.name;
+    std::string name = keyword_.name;
+    std::erase(name, ' ');  // *ENDSTEP is *END STEP
     const auto refuse = [&](const std::string& why) { lines_.failAt(first.position, "*" + name + " " + why); };
-    requireKnownParameters();
+    requireKnownParameters(name);
     reading_ = Reading::nothing;
     hasData_ = false;
-    keepOpen();
+    keepOpen(name);
     if (name == "NODE") {
       if (keyword_.has("SYSTEM") && inUpperCase(keyword_.value("SYSTEM")) != "R")
         refuse("with SYSTEM= other than R is not supported; write Cartesian coordinates");
@@ -226,13 +205,15 @@ class Deck {
     } else if (name.starts_with("END") || name == "ASSEMBLY") {
       reading_ = Reading::noData;
     } else if (name != "HEADING") {
-      ++skipped_["*" + name];
+      ++skipped_["*" + keyword_.name];
     }
-    if (reading_ != Reading::nothing && reading_ != Reading::noData && keyword_.has("INPUT")) lines_.include(keyword_);
+    if (reading_ == Reading::nothing || reading_ == Reading::noData) return;
+    keyword_.name = name;
+    if (keyword_.has("INPUT")) lines_.include(keyword_);
   }
 
   /// A parameter of the mesh that is not followed would change it in silence.
-  void requireKnownParameters() const {
+  void requireKnownParameters(const std::string& keyword) const {
     static const std::map<std::string_view, std::vector<std::string_view>> known = {
         {"NODE", {"NSET", "SYSTEM", "INPUT"}},
         {"ELEMENT", {"TYPE", "ELSET", "INPUT"}},
@@ -245,16 +226,16 @@ class Deck {
         {"NGEN", {"NSET"}},
         {"NFILL", {"NSET"}},
         {"ELGEN", {"ELSET"}}};
-    const auto own = known.find(keyword_.name);
+    const auto own = known.find(keyword);
     if (own == known.end()) return;
     for (const char* const name : {"NSET", "ELSET", "INSTANCE", "INPUT"})
       if (keyword_.has(name) && keyword_.value(name).empty())
-        lines_.failAt(keyword_.position, joinText("*", keyword_.name, ", ", name, ": needs a name, ", name, "="));
+        lines_.failAt(keyword_.position, joinText("*", keyword, ", ", name, ": needs a name, ", name, "="));
     for (const auto& entry : keyword_.parameters)
       if (std::find(own->second.begin(), own->second.end(), entry.first) == own->second.end()) {
         std::string list;
         for (const std::string_view name : own->second) list += joinText(list.empty() ? "" : ", ", name);
-        lines_.failAt(keyword_.position, joinText("*", keyword_.name, ", ", entry.first, " is not supported; ", list,
+        lines_.failAt(keyword_.position, joinText("*", keyword, ", ", entry.first, " is not supported; ", list,
                                                   own->second.size() == 1 ? " is" : " are"));
       }
   }
@@ -267,9 +248,7 @@ class Deck {
   }
 
   /// Blocks that a line of their own ends.
-  void keepOpen() {
-    std::string name = keyword_.name;
-    std::erase(name, ' ');  // *ENDSTEP is *END STEP
+  void keepOpen(const std::string& name) {
     for (const std::string_view block : {"PART", "ASSEMBLY", "INSTANCE", "STEP"}) {
       if (name == block) {
         open_.push_back({name, keyword_.position});

@@ -186,8 +186,10 @@ std::size_t requireVolumes(std::span<const FoundElements> found, std::size_t nod
                  hex27 ? "; gmsh writes hex20 in place of hex27 with Mesh.SecondOrderIncomplete = 1" : ""));
   }
   if (!volumes)
-    throw InputError(joinText(source, ": there are no volume elements, only ", dropped + leftOut,
-                              " of surfaces, lines or points; a mesh of tetrahedra or hexahedra is needed", hint));
+    throw InputError(
+        joinText(source, ": there are no volume elements",
+                 dropped + leftOut == 0 ? "" : joinText(", only ", dropped + leftOut, " of surfaces, lines or points"),
+                 "; a mesh of tetrahedra or hexahedra is needed", hint));
   constexpr std::size_t limit = std::numeric_limits<std::int32_t>::max();
   if (nodes > limit) throw InputError(joinText(source, ": ", nodes, " nodes; at most ", limit, " are possible"));
   for (const FoundElements& list : found)

@@ -27,7 +27,7 @@ class MshReader {
   }
 
   Mesh read(Notes* notes, Problems* problems) {
-    readSections(notes);
+    readSections();
     return builder_.finish(notes, problems);
   }
 
@@ -35,7 +35,7 @@ class MshReader {
   MshOutline outline() {
     MshOutline outline;
     outline_ = &outline;
-    readSections(&outline.notes);
+    readSections();
     outline.swapBytes = cursor_.swapBytes;
     outline.groups = builder_.groups();
     std::vector<FoundElements> found;
@@ -55,7 +55,7 @@ class MshReader {
   }
 
  private:
-  void readSections(Notes* notes) {
+  void readSections() {
     readFormat();
     bool nodes = false, elements = false;
     while (cursor_.skipSpace()) {
@@ -68,7 +68,7 @@ class MshReader {
         readPhysicalNames();
       } else if (section == "$Entities" && version_ >= 4) {
         readEntities(false);
-      } else if (section == "$PartitionedEntities" && version_ > 4.0) {
+      } else if (section == "$PartitionedEntities" && version_ >= 4) {
         readEntities(true);
       } else if (section == "$Nodes" || (section == "$ParametricNodes" && version_ < 4)) {
         if (nodes) cursor_.failAt(begin, "a second $Nodes section; there must be one");
@@ -79,8 +79,6 @@ class MshReader {
         elements = true;
         version_ < 4 ? readElements2() : readElements4();
       } else {
-        if (section == "$PartitionedEntities" && notes != nullptr)
-          notes->push_back(source_ + ": the partition is ignored; physical groups of partitioned entities are lost");
         skipSection(section, begin);
         continue;
       }
@@ -158,7 +156,8 @@ class MshReader {
     return found != names_.end() ? found->second : joinText(dimensionNames[dimension], "-", tag);
   }
 
-  /// partitioned: the entities are parts of those of $Entities, whose elements belong to the parts.
+  /// partitioned: the entities are parts of those of $Entities, whose elements belong to the parts, or lie between
+  /// parts and have the groups of what is cut there, which are not theirs.
   void readEntities(bool partitioned) {
     if (partitioned) {
       cursor_.beginRecord("the number of partitions");
@@ -184,8 +183,9 @@ class MshReader {
       for (std::size_t i = 0; i < counts[d]; ++i) {
         cursor_.beginRecord("an entity");
         const std::int64_t tag = cursor_.int32("the number of an entity");
+        bool between = false;
         if (partitioned) {
-          cursor_.int32("the dimension of a parent");
+          between = cursor_.int32("the dimension of a parent") != d;
           cursor_.int32("the number of a parent");
           const std::size_t where = cursor_.position();
           const std::size_t partitions =
@@ -208,7 +208,7 @@ class MshReader {
           for (std::size_t k = 0; k < bounds; ++k) cursor_.int32("the number of a bounding entity");
         }
         cursor_.endRecord();
-        if (!names.empty()) entityGroups_[{d, tag}] = builder_.addGroup(std::move(names));
+        if (!names.empty() && !between) entityGroups_[{d, tag}] = builder_.addGroup(std::move(names));
       }
   }
 

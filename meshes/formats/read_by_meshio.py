@@ -193,7 +193,7 @@ def read_exodus(path):
         else:
             axes = [held[f"coord{axis}"][:] for axis in "xyz" if f"coord{axis}" in held]
         if not axes:
-            raise Fault("is a netCDF file without the coordinates of an Exodus mesh")
+            raise Fault("it is a netCDF file without the coordinates of an Exodus mesh")
         points = three_axes(np.column_stack(axes))
         cells, block_names = [], []
         for i, name in enumerate(named("eb", "block", size("num_el_blk")), 1):
@@ -240,7 +240,7 @@ def hdf5_kind(path):
             return "med"
         if any(name.startswith("coord") for name in file):
             return "exodus"
-    raise Fault("is an HDF5 file of no kind that is read (MED and Exodus are); of an XDMF mesh name the .xdmf file")
+    raise Fault("it is an HDF5 file of no kind that is read (MED and Exodus are); of an XDMF mesh name the .xdmf file")
 
 
 # What follows makes copies that meshio takes, of files as other programs write them.
@@ -383,18 +383,53 @@ def names_of_netgen(path):
     return names
 
 
-def check_xdmf(path):
-    """What meshio passes over."""
+def grids_of_xdmf(path, folder):
+    """Files of one grid each, which meshio takes: the mesh, and tags of its cells and facets on the same points, as dolfinx writes them.
+    What meshio passes over is refused."""
     from xml.etree import ElementTree
 
     right = {"Endian": ("Little", "Native"), "BaseOffset": ("0",), "Seek": ("0",), "Order": (), "ItemType": ("Uniform",)}
-    for element in ElementTree.parse(path).iter():
+    tree = ElementTree.parse(path)
+    for element in tree.iter():
         for key, values in right.items():
             tag = str(element.tag)
             if key == "ItemType" and tag != "DataItem":
                 continue
             if element.get(key, values[0] if values else None) not in (*values, None):
                 raise Fault(f'{tag} has {key}="{element.get(key)}", which is not read')
+    domain = tree.find("Domain")
+    grids = [] if domain is None else domain.findall("Grid")
+    uniform = [grid for grid in grids if grid.get("GridType", "Uniform") == "Uniform" and grid.find("Topology") is not None]
+    if len(grids) < 2 or not uniform or uniform[0].find("Geometry") is None:
+        return [path]
+    if any(grid.find("Geometry") is not None for grid in uniform[1:]):
+        raise Fault("it has several grids with points of their own; one mesh is read")
+    if len(uniform) < len(grids):
+        notes.append(f"{len(grids) - len(uniform)} grids without cells of their own, such as states in time, are left out")
+    for item in domain.iter("DataItem"):
+        if item.get("Format") == "HDF":
+            item.text = os.path.join(os.path.dirname(path), item.text.strip())
+    geometry, files = uniform[0].find("Geometry"), []
+    for number, grid in enumerate(uniform):
+        domain[:] = [grid]
+        grid[:] = [geometry, *(part for part in grid if part.tag in ("Topology", "Attribute"))]
+        files.append(os.path.join(folder, f"grid{number}.xdmf"))
+        tree.write(files[-1])
+    return files
+
+
+def add_tags(groups, path):
+    """Groups of a grid that tags some cells and facets of the mesh."""
+    tags = meshio.read(path, file_format="xdmf")
+    cells = [(block.type, np.asarray(block.data, dtype=np.int64)) for block in tags.cells]
+    tagged = Groups(groups.points, cells)
+    groups_of_meshio(tags, cells, tagged, {})
+    for name, flags in tagged.of_nodes.items():
+        groups.add_nodes(name, np.flatnonzero(flags))
+    for name, members in tagged.of_cells.items():
+        wanted = {tuple(sorted(row)) for own, (_, data) in zip(members, cells) for row in data[own == 1]}
+        for block, (_, data) in enumerate(groups.cells):
+            groups.add_cells(name, block, [i for i, row in enumerate(np.sort(data, axis=1)) if tuple(row) in wanted])
 
 
 def written(folder, name, lines):
@@ -416,7 +451,7 @@ def read_file(path, kind, folder):
         return read_exodus(path)
     if kind == "nastran":
         return read_nastran(path)
-    of_meshio, names = path, {}
+    of_meshio, names, tags = path, {}, []
     if kind == "medit":
         with open(path, "rb") as file:
             binary = file.read(4) in (b"\1\0\0\0", b"\0\0\0\1")
@@ -430,12 +465,14 @@ def read_file(path, kind, folder):
     if kind == "netgen":
         names = names_of_netgen(path)
     if kind == "xdmf":
-        check_xdmf(path)
+        of_meshio, *tags = grids_of_xdmf(path, folder)
     mesh = meshio.read(of_meshio, file_format=kind)
     points = three_axes(mesh.points)
     cells = [(block.type, np.asarray(block.data, dtype=np.int64)) for block in mesh.cells]
     groups = Groups(points, cells)
     groups_of_meshio(mesh, cells, groups, names)
+    for file in tags:
+        add_tags(groups, file)
     begin = 0 if kind == "xdmf" else 1  # from where they count
     return points, cells, groups, np.arange(begin, begin + len(points)), None
 
@@ -446,14 +483,14 @@ def convert(path, kind, folder):
     if element_ids is None:
         element_ids = np.arange(1, count + 1)
     if count == 0:
-        raise Fault("has no elements")
+        raise Fault("it has no elements")
     known = meshio._vtk_common.meshio_to_vtk_type.keys() & meshio._mesh.topological_dimension.keys()
     for name, data in cells:
         if name not in known:
-            raise Fault(f"has {len(data)} elements of type {name}, which are not supported")
+            raise Fault(f"it has {len(data)} elements of type {name}, which are not supported")
     for name, data in cells:
         if data.size and (data.min() < 0 or data.max() >= len(points)):
-            raise Fault(f"has a {name} with node {data.max() + 1}; there are {len(points)} nodes")
+            raise Fault(f"it has a {name} with node {data.max() + 1}; there are {len(points)} nodes")
     # meshio writes names into the XML as they are.
     point_data = {f"set:{escape(name, QUOTE)}": flags for name, flags in groups.of_nodes.items()}
     cell_data = {f"set:{escape(name, QUOTE)}": flags for name, flags in groups.of_cells.items()}

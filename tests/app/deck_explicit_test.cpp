@@ -71,10 +71,13 @@ constexpr const char *stvk = "[material]\nmodel = \"stvk\"\nyoung = 2.1e11\npois
                      *fixed = "[[fix]]\nset = \"Root\"\n";
 
 class ExplicitDecks : public test::DeckProgram {
+ public:
+  static void TearDownTestSuite() { expectAllUsed(abaqusKeywords()); }
+
  protected:
   void expectSame(const std::string& deck, const std::string& scene,
-                  const std::string& integrator = "step = \"auto\"\nend = 1e-4\n") {
-    test::DeckProgram::expectSame("deck.inp", deck, scene, integrator);
+                  const std::string& integrator = "step = \"auto\"\nend = 1e-4\n", const std::string& mesh = "") {
+    test::DeckProgram::expectSame("deck.inp", deck, scene, integrator, mesh);
   }
   void refuse(const std::string& deck, const std::string& what, const std::string& command = "run deck.inp --out x") {
     folder_.write("deck.inp", deck);
@@ -410,6 +413,32 @@ TEST_F(ExplicitDecks, LetSurfacesTouch) {
     refused("*CONTACT EXCLUSIONS\nOver, Under\n", "*CONTACT EXCLUSIONS: of contact *CONTACT PAIR");
     refused("*SURFACE, NAME=Edge\nLower, E1\n", "*SURFACE: \"E1\" is no face of a solid");
   }
+}
+
+TEST_F(ExplicitDecks, HoldBySymmetryAndAntisymmetry) {
+  for (const auto& [label, held] :
+       {std::pair("XSYMM", "x"), {"YSYMM", "y"}, {"ZSYMM", "z"}, {"XASYMM", "yz"}, {"YASYMM", "xz"}, {"ZASYMM", "xy"}})
+    expectSame(
+        part("C3D8") + steel() +
+            step("*Cload\nTip, 1, 1e4\nTip, 2, 2e4\nTip, 3, 3e4\n", "*Dynamic, Explicit\n, 1e-4\n",
+                 joinText("*Boundary\nFix, ", label, "\n")),
+        joinText(stvk, fixed, "components = \"", held, "\"\n[[force]]\nset = \"Tip\"\neach = [1e4, 2e4, 3e4]\n"));
+}
+
+TEST_F(ExplicitDecks, TakeNodesAndElementsThatAreMade) {
+  use("nodes.inp",
+      "*NODE\n1, 0, 0, 0\n3, 0.2, 0, 0\n*SYSTEM\n0, 0.1, 0\n*NODE\n11, 0\n13, 0.2\n*NGEN\n1, 3\n11, 13, 1\n"
+      "*SYSTEM\n0, 0, 0.1\n*NODE, NSET=Front\n101, 0\n111, 0, 0.1\n*NODE, NSET=Back\n103, 0.2\n113, 0.2, 0.1\n"
+      "*SYSTEM\n*NFILL\nFront, Back, 2\n");
+  expectSame(
+      "*INCLUDE, INPUT=nodes.inp\n*ELEMENT, TYPE=C3D8\n1, 1, 2, 12, 11, 101, 102, 112, 111\n*ELGEN, ELSET=All\n1, "
+      "2\n*NSET, NSET=Root\n1, 11, 101, 111\n*SOLID SECTION, ELSET=All, MATERIAL=Steel\n" +
+          steel() + step("*Cload\n103, 1, 1e4\n", "*Dynamic, Explicit\n, 1e-4\n", "*Boundary\nRoot, PINNED\n"),
+      std::string(stvk) +
+          "[[fix]]\nwhere = \"x < 1e-6\"\n[[force]]\nwhere = \"x > 0.199 && y < 1e-6 && z > "
+          "0.099\"\neach = [1e4, 0, 0]\n",
+      "step = \"auto\"\nend = 1e-4\n",
+      "generate = \"bar\"\nsize = [0.2, 0.1, 0.1]\ncells = [2, 1, 1]\nelement = \"hex8\"\n");
 }
 
 // A surface of elements without faces is all that lies outside.

@@ -1,6 +1,15 @@
 #pragma once
+#include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <set>
+#include <span>
+#include <sstream>
 #include <string>
+#include <utility>
+
+#include <ringwatch/app/scene/deck_keywords.h>
+#include <ringwatch/meshes/formats/file_cursor.h>
 
 #include "program.h"
 
@@ -9,11 +18,14 @@ namespace ringwatch::test {
 /// Decks, and the scenes that they stand for.
 class DeckProgram : public Program {
  protected:
-  /// Runs a deck and the scene of its mesh: masses, brackets and energies are the same.
+  /// Runs a deck and the scene that it stands for, of its mesh or of another one: masses, brackets and energies are the
+  /// same.
   void expectSame(const std::string& name, const std::string& deck, const std::string& scene,
-                  const std::string& integrator) {
-    folder_.write(name, deck);
-    folder_.write("scene.toml", "[mesh]\nfile = \"" + name + "\"\n[integrator]\n" + integrator + scene);
+                  const std::string& integrator, const std::string& mesh = "") {
+    use(name, deck);
+    ++heldDecks;
+    folder_.write("scene.toml", "[mesh]\n" + (mesh.empty() ? "file = \"" + name + "\"\n" : mesh) + "[integrator]\n" +
+                                    integrator + scene);
     const Outcome ofDeck = call("run " + name + " --out d --set output.picture=false"),
                   ofScene = call("run scene.toml --out s --set output.picture=false");
     ASSERT_EQ(ofDeck.status, ofScene.status) << ofDeck.err << ofScene.err;
@@ -36,6 +48,40 @@ class DeckProgram : public Program {
       EXPECT_NEAR(parse(inspected.out)["mass"].get<double>() / mass_, 1, 1e-12);
     }
   }
+  /// Writes a deck, or a file that one includes, and remembers its keywords.
+  void use(const std::string& name, const std::string& text) {
+    folder_.write(name, text);
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+      if (!line.starts_with('*') || line.starts_with("**")) continue;
+      std::erase(line, ' ');
+      usedKeywords.insert(detail::inUpperCase(line.substr(1, line.find(',') - 1)));
+    }
+  }
+  /// Once all tests of a suite have run, decks that were held to scenes have used every keyword that is taken.
+  static void expectAllUsed(std::span<const DeckKeywordRule> rules) {
+    const auto* suite = ::testing::UnitTest::GetInstance()->current_test_suite();
+    const std::set<std::string> used = std::exchange(usedKeywords, {});
+    const int decks = std::exchange(heldDecks, 0);
+    if (suite->successful_test_count() < suite->total_test_count()) return;
+    EXPECT_GE(decks, 20);
+    for (const DeckKeywordRule& row : rules) {
+      if (row.rule != DeckRule::mesh && row.rule != DeckRule::taken && row.rule != DeckRule::takenInRun) continue;
+      std::istringstream names{std::string(row.names)};
+      for (std::string name; names >> name;) {
+        const bool family = name.ends_with('*');
+        if (family) name.pop_back();
+        EXPECT_TRUE(std::ranges::any_of(used, [&](const std::string& line) {
+          if (!line.starts_with(name)) return false;
+          const std::string rest = line.substr(name.size());
+          return family || rest.empty() || rest == "_TITLE" || rest == "_ID" ||
+                 (rest[0] != '_' && std::ispunct(rest[0]));
+        })) << name;
+      }
+    }
+  }
+  static inline std::set<std::string> usedKeywords;
+  static inline int heldDecks = 0;
   double mass_ = 0;
   std::string out_;
 };

@@ -112,6 +112,27 @@ TEST_F(Decks, TakeTheLastVelocityAndTheSumOfLoads) {
   EXPECT_LT((both - sum).norm(), 1e-12 * sum.norm());
 }
 
+TEST_F(Decks, TakeLinesFromFilesAndNamesInQuotes) {
+  folder_.write("elastic.txt", "30e3, 0.3\n");
+  folder_.write("end.txt", "1, 4,\n5, 8\n");
+  folder_.write("held.txt", "\"left end\", 1, 3\n");
+  folder_.write("ramp.txt", "0., 0.,\n0.05, 1.\n");
+  const auto deck = [](const std::string& elastic, const std::string& end, const std::string& held,
+                       const std::string& ramp) {
+    return "*MATERIAL, NAME=m\n*ELASTIC" + elastic + "*DENSITY\n1000.\n*SOLID SECTION, ELSET=Eall, MATERIAL=m\n" +
+           "*NSET, NSET=\"left end\"" + end + "*BOUNDARY" + held + "*AMPLITUDE, NAME=a" + ramp +
+           step("*CLOAD, AMPLITUDE=a\nright, 3, 1.\n");
+  };
+  const NodeVectors u = run(deck("\n30e3, 0.3\n", "\n1, 4, 5, 8\n", "\nLeft, 1, 3\n", "\n0., 0., 0.05, 1.\n"));
+  EXPECT_GT(u.norm(), 0);
+  EXPECT_EQ(
+      (u - run(deck(", INPUT=elastic.txt\n", ", INPUT=end.txt\n", ", INPUT=held.txt\n", ", INPUT=ramp.txt\n"))).norm(),
+      0);
+  refuse("*MATERIAL, NAME=m, INPUT=elastic.txt\n",
+         "deck.inp:23: *MATERIAL, INPUT: it has no lines to take from a file");
+  refuse(deck(", INPUT=none.txt\n", "\n", "\n", "\n"), "*ELASTIC takes in ");
+}
+
 // A force on each node, whatever its mass: 12 nodes of 2 kg in all.
 TEST_F(Decks, LoadEachNode) {
   const double t = 0.05, h = 1e-3;
@@ -433,6 +454,11 @@ TEST_F(Decks, RefuseWhatTheyWouldTakeInSilence) {
   refuse(inStep("*CLOAD\n99999999999999999999, 1, 1.\n"), "deck.inp:33: the number of a node is");
   refuse(inStep("*CLOAD\n9, 1, nan\n"), "deck.inp:33: the force is \"nan\"");
   refuse(inStep("*CLOAD\nB\xff, 1, 1.\n"), "deck.inp:33: the line is not UTF-8");
+  refuse(inStep("*CLOAD\n, 1, 1.\n"), "deck.inp:33: a node or set is missing");
+  refuse(before("*BOUNDARY\n, 1, 3\n"), "deck.inp:30: a node or set is missing");
+  refuse(before("*INITIAL CONDITIONS, TYPE=VELOCITY\n, 1, 2.\n"), "deck.inp:30: a node or set is missing");
+  refuse(std::string(soft) + step("", "*STEP\n*DYNAMIC, EXPLICIT\n-1e-3, 1.\n"),
+         "deck.inp:31: *DYNAMIC: a time is below 0");
   // What is given twice: both lines.
   refuse(before(soft), "deck.inp:29: *MATERIAL \"Soft\" gives a second time what line 23 gives");
   const auto ofMaterial = [](const std::string& more) {

@@ -68,6 +68,22 @@ TEST_F(Program, RepairsMeshes) {
                                HasSubstr("`ringwatch mesh repair --join 0` joins them")));
   expectRefused(std::string("inspect damaged.msh") + material, "`ringwatch mesh repair` leaves it out");
 
+  // Where it is read, as the file that would be written.
+  ASSERT_EQ(call("mesh repair damaged.msh apart.msh").status, 0);
+  const Outcome apart = call(std::string("inspect apart.msh --json -") + material),
+                asRead = call(std::string("inspect damaged.msh --repair --json -") + material);
+  ASSERT_EQ(asRead.status, 0) << asRead.err;
+  EXPECT_EQ(parse(asRead.out)["critical_step"], parse(apart.out)["critical_step"]);
+  folder_.write("repaired.toml",
+                "[mesh]\nfile = \"damaged.msh\"\nrepair = true\n[material]\nmodel = \"stvk\"\nyoung = 1e6\npoisson = "
+                "0.3\ndensity = 1000\n[integrator]\nstep = \"auto\"\nend = 0.01\n[output]\npicture = false\n");
+  const Outcome ran = call("run repaired.toml --out repaired");
+  EXPECT_EQ(ran.status, 0) << ran.err;
+  EXPECT_THAT(ran.out, HasSubstr("1 element that stands a second time"));
+  expectRefused("run repaired.toml --set mesh.repair=false", "`ringwatch mesh repair` leaves it out");
+  expectRefused(std::string("inspect apart.msh --repair --displacement u") + material,
+                "--repair: is of a mesh at rest");
+
   const Outcome repair = call("mesh repair damaged.msh mended.msh --join 0");
   EXPECT_EQ(repair.status, 0) << repair.out << repair.err;
   EXPECT_THAT(repair.out, AllOf(HasSubstr("damaged.msh: 4 nodes were joined with another at the same place\n"),

@@ -591,6 +591,10 @@ TEST_F(MujocoModels, RefuseWhatTheyCannotAnswerFor) {
   refuse(option("integrator=\"euler\""),
          "integrator=\"euler\": did you mean \"Euler\"? known are Euler, RK4, implicit, implicitfast");
   refuse(option("viscosity=\"1\""), "<option> viscosity=\"1\": a medium damps the vertices");
+  for (const std::string force : {"passive", "spring", "damper"})
+    refuse(model("<flexcomp name=\"soft\" dim=\"3\">" + std::string(elastic) + "</flexcomp>",
+                 "<option><flag " + force + "=\"disable\"/></option>"),
+           "<flag> " + force + "=\"disable\": takes forces of flexes away");
   refuse(model("<flexcomp name=\"soft\" dim=\"3\">" + std::string(elastic) + "</flexcomp>",
                "<equality><flex flex=\"soft\"/></equality>"),
          "<flex> flex=\"soft\": constraints of a flex are not in the bracket");

@@ -232,8 +232,9 @@ TEST(Scene, NamesFileLineKeyAndWhatWouldBeRight) {
       {with("[material]", "[[material]]"), "no fault"},
       {with("young = 30e3", "young = 30e3\nyoung = 1"), "scene.toml:8: not TOML"},
       {with("[material]", "[material"), "scene.toml:"},
-      {std::string("\xff\xfe\x00", 3), "scene.toml:1: not TOML"},
-      {"", "scene.toml: [mesh]: the section is missing"},
+      {std::string("\xff\xfe\x00", 3), "scene.toml: this is a text in UTF-16"},
+      {"", "scene.toml: the file is empty"},
+      {"# a scene\n", "scene.toml: [mesh]: the section is missing"},
   };
   for (const Case& c : cases) EXPECT_THAT(faultOf(c.text), HasSubstr(c.message)) << c.text;
 }

@@ -172,6 +172,8 @@ TEST(BadInput, FilesThatCannotBeReadOrAreNoMesh) {
   EXPECT_THAT(errorOf([&] { readMesh(folder.path()); }), HasSubstr("folder"));
   writeBytes(folder / "empty.msh", "");
   EXPECT_THAT(errorOf([&] { readMesh(folder / "empty.msh"); }), HasSubstr("empty"));
+  writeBytes(folder / "empty.msh", "  \n\r\n");
+  EXPECT_THAT(errorOf([&] { readMesh(folder / "empty.msh"); }), HasSubstr("empty"));
   writeBytes(folder / "a.points", "points\x01 \xFF\n");
   EXPECT_THAT(errorOf([&] { readMesh(folder / "a.points"); }), HasSubstr("known are"));
   EXPECT_THAT(errorOf([&] { writeMesh(mixedMesh(), folder / "a.stl"); }), HasSubstr(".msh or .vtu"));
@@ -179,6 +181,39 @@ TEST(BadInput, FilesThatCannotBeReadOrAreNoMesh) {
   Mesh named = mixedMesh();
   named.nodeSets["a\"b"] = {0};
   EXPECT_THAT(errorOf([&] { writeMesh(named, folder / "q.msh"); }), HasSubstr("quote"));
+}
+
+// CR alone, CR LF, and a byte order mark, in every format of text.
+TEST(BadInput, LineEndsOfOtherSystemsAreTaken) {
+  const TemporaryFolder folder;
+  const std::string points = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n",
+                    keyword = "*NODE\n1, 0, 0, 0\n2, 1, 0, 0\n3, 0, 1, 0\n4, 0, 0, 1\n";
+  const std::vector<std::pair<std::string, std::string>> files{
+      {"m.msh", msh(goodNodes, goodElements)},
+      {"m.vtk", "# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 double\n" + points +
+                    "CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\n"},
+      {"m.inp", keyword + "*ELEMENT, TYPE=C3D4\n1, 1, 2, 3, 4\n"},
+      {"m.k",
+       "$ a "
+       "deck\n*KEYWORD\n*NODE\n1,0.,0.,0.\n2,1.,0.,0.\n3,0.,1.,0.\n4,0.,0.,1.\n*ELEMENT_SOLID\n1,1,1,2,3,4,4,4,4,4\n"},
+      {"m.node", "4 3 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n"}};
+  int read = 0;
+  for (const auto& [name, text] : files)
+    for (const std::string end : {"\n", "\r", "\r\n"}) {
+      SCOPED_TRACE(name + std::to_string(end.size()));
+      const auto ending = [&](std::string whole) {
+        for (std::size_t at = 0; (at = whole.find('\n', at)) != std::string::npos; at += end.size())
+          whole.replace(at, 1, end);
+        return "\xEF\xBB\xBF" + whole;
+      };
+      writeBytes(folder / "m.ele", ending("1 4 0\n1 1 2 3 4\n"));
+      writeBytes(folder / name, ending(text));
+      const Mesh mesh = loadMesh(folder / name);
+      EXPECT_EQ(mesh.X, (NodeVectors(3, 4) << 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1).finished());
+      EXPECT_EQ(mesh.blocks.at(0).connectivity, (std::vector<std::int32_t>{0, 1, 2, 3}));
+      ++read;
+    }
+  EXPECT_EQ(read, 15);
 }
 
 using Parse = std::function<Mesh(const std::string& content)>;

@@ -77,6 +77,14 @@ TEST_F(InpTest, ReadsADeckThatBeginsWithAByteOrderMark) {
   EXPECT_EQ(marked.elementCount(), plain.elementCount());
 }
 
+TEST_F(InpTest, ReadsKeywordsWithBlanks) {
+  const std::string deck =
+      "*NODE\n1, 0, 0, 0\n2, 1, 0, 0\n3, 0, 1, 0\n4, 0, 0, 1\n*ELEMENT, TYPE=C3D4, ELSET=e\n1, 1, 2, 3, 4\n";
+  std::string blanks = deck;
+  blanks.replace(0, 5, "* NO DE").replace(blanks.find("*ELEMENT, TYPE"), 14, "*ELE MENT, TY PE");
+  EXPECT_EQ(read(blanks).elementSets, read(deck).elementSets);
+}
+
 TEST_F(InpTest, ReadsSets) {
   const Mesh mesh = read(deck(R"(*NSET, NSET=left, GENERATE
 1, 4, 3

@@ -427,14 +427,18 @@ TEST(MeshIo, SectionsThatGmshWritesWithItsOptionsAreRead) {
   EXPECT_EQ(both.elementSets.at("b"), (std::vector<ElementRef>{{0, 0}, {0, 1}}));
   ASSERT_EQ(notes.size(), 1u);
   EXPECT_NE(notes[0].find("1 elements that stand once more for another group"), std::string::npos);
-  // Parts of a partitioned volume have the groups; several numbers of nodes stand in a line.
+  // Parts of a partitioned volume have the groups, and faces between them have none; several numbers of nodes stand in
+  // a line.
   writeBytes(
       folder / "q.msh",
-      "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n3 1 \"body\"\n$EndPhysicalNames\n$Entities\n0 0 0 "
-      "1\n1 0 0 0 1 1 1 1 1 0\n$EndEntities\n$PartitionedEntities\n2\n1\n9 1\n0 0 0 1\n2 3 1 2 1 2 0 0 0 1 1 1 1 1 "
-      "0\n$EndPartitionedEntities\n$Nodes\n1 4 1 4\n3 2 0 4\n1 2\n3 4\n0 0 0\n1 0 0\n0 1 0\n0 0 "
-      "1\n$EndNodes\n$Elements\n1 1 1 1\n3 2 4 1\n1 1 2 3 4\n$EndElements\n");
-  EXPECT_EQ(loadMesh(folder / "q.msh").elementSets.at("body").size(), 1u);
+      "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PhysicalNames\n2\n2 1 \"left\"\n3 1 \"body\"\n$EndPhysicalNames\n"
+      "$Entities\n0 0 0 1\n1 0 0 0 1 1 1 1 1 0\n$EndEntities\n$PartitionedEntities\n2\n1\n9 1\n0 0 1 1\n5 3 1 2 1 2 0 "
+      "0 0 "
+      "1 1 1 1 1 0\n2 3 1 2 1 2 0 0 0 1 1 1 1 1 0\n$EndPartitionedEntities\n$Nodes\n1 4 1 4\n3 2 0 4\n1 2\n3 4\n0 0 0\n"
+      "1 0 0\n0 1 0\n0 0 1\n$EndNodes\n$Elements\n2 2 1 2\n2 5 2 1\n2 1 2 3\n3 2 4 1\n1 1 2 3 4\n$EndElements\n");
+  const Mesh parts = loadMesh(folder / "q.msh");
+  EXPECT_EQ(parts.elementSets.at("body").size(), 1u);
+  EXPECT_TRUE(parts.nodeSets.empty());
 }
 
 TEST(MeshIo, FormatsThatAreNotReadAreNamed) {

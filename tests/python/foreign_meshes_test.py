@@ -22,18 +22,26 @@ NAMES = {"tetra": "tet4", "tetra10": "tet10", "hexahedron": "hex8", "hexahedron2
          "pyramid": "pyramid5"}
 ELEMENTS = {ours: theirs for theirs, ours in NAMES.items()}
 LINEAR = ["tet4", "hex8", "wedge6", "pyramid5"]
-# What meshio writes of each format, by extension.
-WRITTEN = {
-    "exo": ("exodus", ["tet10", "hex8", "hex20", "wedge6", "pyramid5"]),
-    "med": ("med", [*LINEAR, "tet10", "hex20"]),
-    "xdmf": ("xdmf", [*LINEAR, "tet10", "hex20"]),
-    "mesh": ("medit", LINEAR),
-    "meshb": ("medit", LINEAR),
-    "bdf": ("nastran", [*LINEAR, "tet10", "hex20"]),
-    "vol": ("netgen", LINEAR),
-    "su2": ("su2", LINEAR),
+ALL = [*LINEAR, "tet10", "hex20"]
+# What meshio writes of each format, by its name: the extension, what it is told, and the elements.
+WRITTEN: dict[str, tuple[str, dict[str, Any], list[str]]] = {
+    "gmsh": ("msh", {"binary": False}, ALL),
+    "gmsh22": ("msh", {"binary": True}, ALL),
+    "vtk42": ("vtk", {"binary": True}, ALL),
+    "vtk51": ("vtk", {"binary": False}, ALL),
+    "vtu": ("vtu", {"compression": "zlib"}, ALL),
+    "abaqus": ("inp", {"float_fmt": ".17g"}, [element for element in ALL if element != "pyramid5"]),
+    "tetgen": ("node", {"float_fmt": ".17g"}, ["tet4"]),
+    "exodus": ("exo", {}, [element for element in ALL if element != "tet4"]),
+    "med": ("med", {}, ALL),
+    "xdmf": ("xdmf", {}, ALL),
+    "medit": ("mesh", {}, LINEAR),
+    "medit binary": ("meshb", {}, LINEAR),
+    "nastran": ("bdf", {}, ALL),
+    "netgen": ("vol", {}, LINEAR),
+    "su2": ("su2", {}, LINEAR),
 }
-CASES = [(extension, element) for extension, (_, elements) in WRITTEN.items() for element in elements]
+CASES = [(format, element) for format, (_, _, elements) in WRITTEN.items() for element in elements]
 
 
 def call(*arguments: object) -> "subprocess.CompletedProcess[str]":
@@ -49,19 +57,20 @@ def a_mesh(element: str) -> tuple[NDArray[np.float64], list[tuple[str, NDArray[n
     return points, [(ELEMENTS[name], np.asarray(cells, dtype=np.int64)) for name, cells in mesh.blocks]
 
 
-@pytest.mark.parametrize("extension,element", CASES)
-def test_a_mesh_of_each_format_is_that_of_meshio(tmp_path: pathlib.Path, extension: str, element: str) -> None:
-    format, _ = WRITTEN[extension]
+@pytest.mark.parametrize("format,element", CASES)
+def test_a_mesh_of_each_format_is_that_of_meshio(tmp_path: pathlib.Path, format: str, element: str) -> None:
+    extension, options, _ = WRITTEN[format]
+    format = format.split()[0]
     points, cells = a_mesh(element)
     file = tmp_path / f"mesh.{extension}"
-    meshio.write(file, meshio.Mesh(points, cells), file_format=format)
-    theirs = meshio.read(file, file_format=format)
+    meshio.write(file, meshio.Mesh(points, cells), file_format=format, **options)
+    theirs = meshio.read(file, file_format={"gmsh22": "gmsh", "vtk42": "vtk", "vtk51": "vtk"}.get(format, format))
     ours = rw.load_mesh(file)
     assert np.array_equal(np.asarray(theirs.points), ours.points), "coordinates differ"
-    if extension != "bdf":  # whose numbers have some digits
+    if format != "nastran":  # whose numbers have some digits
         assert np.array_equal(points, ours.points)
     read = [(NAMES[block.type], block.data) for block in theirs.cells]
-    if extension == "med":  # which meshio sorts by type
+    if format == "med":  # which meshio sorts by type
         read.sort(key=lambda own: [name for name, _ in ours.blocks].index(own[0]))
     assert [name for name, _ in ours.blocks] == list(dict.fromkeys(name for name, _ in read))
     for name, connectivity in ours.blocks:
@@ -436,7 +445,7 @@ def test_universal_files_are_read_by_gmsh(tmp_path: pathlib.Path, order: int) ->
     if not shutil.which("gmsh"):
         pytest.skip("gmsh is not installed (scripts/setup --remeshing)")
     (tmp_path / "box.geo").write_text('SetFactory("OpenCASCADE"); Box(1) = {0, 0, 0, 0.3, 1 / 7, 0.1}; Physical Volume("body", 7) = {1};'
-                                      'Physical Surface("left", 8) = {1}; Mesh.MeshSizeMax = 0.1; Mesh.SaveGroupsOfNodes = 1;')
+                                      'Physical Surface("left", 8) = {1}; Mesh.MeshSizeMax = 0.1; Mesh.SaveGroupsOfNodes = 1;\n')  # gmsh passes over a last line without an end
     for extension, format in (("unv", "unv"), ("msh", "msh22")):
         subprocess.run(["gmsh", "-v", "1", "box.geo", "-3", "-order", str(order), "-format", format, "-bin", "-o", f"m.{extension}"],
                        cwd=tmp_path, check=True)
@@ -449,6 +458,9 @@ def test_universal_files_are_read_by_gmsh(tmp_path: pathlib.Path, order: int) ->
     place[ours] = theirs
     for (name, cells), (other_name, others) in zip(of_unv.blocks, of_msh.blocks, strict=True):
         assert name == other_name and sorted(map(tuple, place[cells])) == sorted(map(tuple, others))
+    left = sorted(of_msh.node_sets["left"])
+    assert len(left) > 3 and sorted(place[of_unv.node_sets["left"]]) == left
+    assert all(len(mesh.cell_sets["body"][0]) == len(mesh.blocks[0][1]) for mesh in (of_unv, of_msh))
 
 
 @pytest.mark.parametrize("order,hexahedra", [(1, False), (1, True), (2, False), (2, True)])
@@ -501,6 +513,58 @@ def test_files_of_gmsh_are_its_model(tmp_path: pathlib.Path, order: int, hexahed
         assert call("mesh", "check", tmp_path / "m.su2").returncode == 2
         result = call("mesh", "check", tmp_path / "m.mesh")
         assert result.returncode == 2 and "a Medit mesh; " in result.stderr, result
+
+
+def test_tags_of_dolfinx_are_sets(tmp_path: pathlib.Path) -> None:
+    """They are grids of some cells and facets, with the points of the first."""
+    points, cells = a_mesh("tet4")
+    meshio.write(tmp_path / "m.xdmf", meshio.Mesh(points, cells))
+    tetrahedra = cells[0][1]
+
+    def grid(shape: str, own: NDArray[np.int64], tags: list[int], more: str = '<xi:include xpointer="xpointer(/Xdmf/Domain/Grid/Geometry)"/>') -> str:
+        rows, columns = own.shape
+        return (f'<Grid Name="t" GridType="Uniform">{more}<Topology TopologyType="{shape}" NumberOfElements="{rows}" '
+                f'NodesPerElement="{columns}"><DataItem Dimensions="{rows} {columns}" NumberType="Int" Format="XML">'
+                f'{" ".join(map(str, own.ravel()))}</DataItem></Topology><Attribute Name="tag" AttributeType="Scalar" Center="Cell">'
+                f'<DataItem Dimensions="{rows}" NumberType="Int" Format="XML">{" ".join(map(str, tags))}</DataItem></Attribute></Grid>')
+
+    text = (tmp_path / "m.xdmf").read_text().replace("<Xdmf ", '<Xdmf xmlns:xi="http://www.w3.org/2001/XInclude" ')
+    series = '<Grid GridType="Collection" CollectionType="Temporal"/>'
+    tagged = grid("Tetrahedron", tetrahedra[[5, 2]][:, ::-1], [7, 8]) + grid("Triangle", tetrahedra[3:4, :3], [9]) + series
+    (tmp_path / "tagged.xdmf").write_text(text.replace("</Domain>", tagged + "</Domain>"))
+    mesh = rw.load_mesh(tmp_path / "tagged.xdmf")
+    assert np.array_equal(mesh.points, points) and np.array_equal(mesh.cells["tet4"], tetrahedra)
+    assert {name: list(members[0]) for name, members in mesh.cell_sets.items()} == {"tag-7": [5], "tag-8": [2]}
+    assert set(mesh.node_sets) == {"tag-9"} and set(mesh.node_sets["tag-9"]) == set(tetrahedra[3, :3])
+    assert any("1 grids without cells of their own" in note for note in mesh.notes), mesh.notes
+    (tmp_path / "two.xdmf").write_text(text.replace("</Domain>", grid("Triangle", tetrahedra[3:4, :3], [9], "<Geometry/>") + "</Domain>"))
+    result = call("mesh", "check", tmp_path / "two.xdmf")
+    assert result.returncode == 2 and "several grids with points of their own" in result.stderr, result
+
+
+@pytest.mark.parametrize("version", [4.0, 4.1])
+def test_a_partition_changes_no_group(tmp_path: pathlib.Path, version: float) -> None:
+    """gmsh gives the faces between two parts the numbers of the groups of the volume that they cut."""
+    gmsh = pytest.importorskip("gmsh")
+    gmsh.initialize(["gmsh", "-v", "0"])
+    try:
+        gmsh.model.occ.addBox(0, 0, 0, 0.3, 1 / 7, 0.1)
+        gmsh.model.occ.synchronize()
+        for dimension, name in ((3, "body"), (2, "left")):
+            gmsh.model.setPhysicalName(dimension, gmsh.model.addPhysicalGroup(dimension, [1], 8), name)
+        gmsh.option.setNumber("Mesh.MeshSizeMax", 0.1)
+        gmsh.option.setNumber("Mesh.MshFileVersion", version)
+        gmsh.model.mesh.generate(3)
+        gmsh.write(str(tmp_path / "whole.msh"))
+        gmsh.model.mesh.partition(3)
+        gmsh.write(str(tmp_path / "parts.msh"))
+    finally:
+        gmsh.finalize()
+    whole, parts = (rw.load_mesh(tmp_path / f"{name}.msh") for name in ("whole", "parts"))
+    for mesh in (whole, parts):
+        assert set(mesh.cell_sets) == {"body"} and len(mesh.cell_sets["body"][0]) == mesh.element_count
+    left = [{tuple(point) for point in mesh.points[mesh.node_sets["left"]]} for mesh in (whole, parts)]
+    assert set(parts.node_sets) == {"left"} and left[0] == left[1]
 
 
 def test_medit_as_mmg_writes_it(tmp_path: pathlib.Path) -> None:
