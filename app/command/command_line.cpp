@@ -170,11 +170,17 @@ struct JsonOption {
         ->type_name("FILE");
   }
   bool takesStandardOutput() const { return path == "-"; }
-  /// Writes the file, if one is wanted, and prints the text or the JSON.
+  /// Writes the file, if one is wanted.
+  void save(const nlohmann::ordered_json& json) const {
+    if (!path.empty() && !takesStandardOutput()) writeFileAtomically(path, json.dump(2) + "\n");
+  }
+  /// Prints the JSON, or the text and its conclusion.
+  void print(const nlohmann::ordered_json& json, const std::string& text) const {
+    printOut(takesStandardOutput() ? json.dump(2) + "\n" : text + conclusionLine(json));
+  }
   void write(const nlohmann::ordered_json& json, const std::string& text) const {
-    const std::string whole = json.dump(2) + "\n";
-    if (!path.empty() && !takesStandardOutput()) writeFileAtomically(path, whole);
-    printOut(takesStandardOutput() ? whole : text);
+    save(json);
+    print(json, text);
   }
 };
 
@@ -399,11 +405,11 @@ struct RunCommand {
     // What ended it is what it says; what is missing behind that is of no moment.
     const bool cutShort = result.canGoOn();
     try {
-      std::string text = summaryText(description, body, result, options.folder);
+      std::string page;
       if (report || live)
-        text += reportText(
+        page = reportText(
             neededReportWriters().ofRun({.folder = options.folder, .output = {}, .frames = 0, .live = nullptr}));
-      if (!quiet) printOut(text);
+      if (!quiet) printOut(summaryText(description, body, result, options.folder, page));
     } catch (const InputError&) {
       if (!cutShort) throw;  // the terminal may be what is gone
     }
@@ -470,8 +476,8 @@ struct CompareCommand {
   }
 
   ExitStatus execute() const {
-    const CompareResult result = compareScene(options);
-    json.write(result.json, studyText(result.report) + result.text);
+    CompareResult result = compareScene(options);
+    json.save(result.json);
     makeFolderOfPictures(folder);
     if (!folder.empty()) drawInto(folder, result.report);
     if (!page.empty()) {
@@ -482,8 +488,9 @@ struct CompareCommand {
                                            result.json,
                                            provenanceOf(typed, options.scene)},
                                           page);
-      if (!json.takesStandardOutput()) printOut(reportText(written));
+      result.text += reportText(written);
     }
+    json.print(result.json, studyText(result.report) + result.text);
     return ExitStatus::done;
   }
 };
@@ -958,12 +965,12 @@ struct VerifyCommand {
     const std::vector<StudyReport> reports =
         runStudies(studies, quick ? StudyEffort::quick : StudyEffort::full, progress);
     const nlohmann::ordered_json found = studiesJson(reports);
-    json.write(found, "");
-    if (!page.empty()) {
-      const ReportResult written =
-          neededReportWriters().ofStudies({"Verification", {}, reports, found, provenanceOf(typed, "")}, page);
-      if (!json.takesStandardOutput()) printOut(reportText(written));
-    }
+    json.save(found);
+    std::string written;
+    if (!page.empty())
+      written = reportText(
+          neededReportWriters().ofStudies({"Verification", {}, reports, found, provenanceOf(typed, "")}, page));
+    json.print(found, written);
     return passed ? ExitStatus::done : ExitStatus::unstable;
   }
 };

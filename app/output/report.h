@@ -30,9 +30,11 @@ std::string elementCounts(const Mesh& mesh);
 
 /// summary.json of a run.
 nlohmann::ordered_json summaryJson(const Scene& scene, const Body& body, const RunResult& result);
-/// The few lines that a run says of itself.
+/// What the text of a command ends with, of its JSON.
+std::string conclusionLine(const nlohmann::ordered_json& json);
+/// The few lines that a run says of itself. page: of a page that was written too.
 std::string summaryText(const Scene& scene, const Body& body, const RunResult& result,
-                        const std::filesystem::path& folder);
+                        const std::filesystem::path& folder, const std::string& page = "");
 
 /// Version of the program.
 std::string_view programVersion();
