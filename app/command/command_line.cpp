@@ -8,6 +8,7 @@
 #include <cmath>
 #include <csignal>
 #include <cstdio>
+#include <iostream>
 #include <map>
 #include <new>
 
@@ -17,8 +18,10 @@
 #include <ringwatch/app/command/advise.h>
 #include <ringwatch/app/command/audit.h>
 #include <ringwatch/app/command/compare.h>
+#include <ringwatch/app/command/examples.h>
 #include <ringwatch/app/command/exit_status.h>
 #include <ringwatch/app/command/help.h>
+#include <ringwatch/app/command/init.h>
 #include <ringwatch/app/command/inspect.h>
 #include <ringwatch/app/command/integrator_catalog.h>
 #include <ringwatch/app/command/live_watch.h>
@@ -1049,6 +1052,57 @@ struct SchemaCommand {
   }
 };
 
+struct ExamplesCommand {
+  std::string name, folder = ".";
+
+  void declare(CLI::App& app) {
+    CLI::App* command = app.add_subcommand("examples", "list the example scenes, or copy one to try it");
+    command->add_option("NAME", name, "one of those below, or all; without it they are listed")->type_name("NAME");
+    command->add_option("--out", folder, "folder to write it to, made when missing (default: the current one)")
+        ->type_name("DIR");
+    command->footer("Examples:\n" + exampleListing());
+  }
+
+  ExitStatus execute() const {
+    printOut(name.empty() ? exampleListing() : copyExamples(name, folder));
+    return ExitStatus::done;
+  }
+};
+
+struct InitCommand {
+  InitOptions options;
+
+  void declare(CLI::App& app) {
+    CLI::App* command = app.add_subcommand("init", "write a commented scene that runs; asks on a terminal");
+    command->add_option("SCENE", options.scene, "file to write (default: scene.toml)")->type_name("SCENE");
+    command->add_option("--mesh", options.mesh, "mesh file (default: a bar of rubber)")->type_name("MESH");
+    command->add_option("--young", options.young,
+                        "Young's modulus, Pa; with a mesh it, --poisson and --density are required");
+    command->add_option("--poisson", options.poisson, "Poisson's ratio");
+    command->add_option("--density", options.density, "density, kg/m3");
+    command->add_option("--fix", options.fix, "nodes that are held (default: those of least x)")
+        ->type_name("CONDITION");
+    addTime(*command, "--end", options.end,
+            "time that the run takes, s (default: ten times that of a pressure wave through the body)");
+    command->footer(std::string(unitsText) + "\n" + seeTopics("scene | laws | generators") + exitStatusHint);
+  }
+
+  ExitStatus execute() const {
+    const bool terminal = ::isatty(STDIN_FILENO) != 0 && ::isatty(STDOUT_FILENO) != 0;
+    printOut(initScene(options, terminal ? askOnTerminal : Ask()));
+    return ExitStatus::done;
+  }
+
+ private:
+  static std::string askOnTerminal(const std::string& question) {
+    printOut(question + ": ");
+    std::string answer;
+    if (!std::getline(std::cin, answer))
+      throw InputError("init: no answer; give the options, see ringwatch init --help");
+    return answer;
+  }
+};
+
 struct ReferenceCommand {
   std::string folder;
 
@@ -1114,6 +1168,8 @@ ExitStatus dispatch(int argc, char** argv, const RankProgram* ranks) {
   ReportCommand report;
   SchemaCommand schema;
   ReferenceCommand reference;
+  ExamplesCommand examples;
+  InitCommand init;
   HelpCommand help;
   help.declare(app);
   run.declare(app);
@@ -1127,6 +1183,8 @@ ExitStatus dispatch(int argc, char** argv, const RankProgram* ranks) {
   compare.declare(app);
   report.declare(app);
   schema.declare(app);
+  examples.declare(app);
+  init.declare(app);
   reference.declare(app);
   try {
     app.parse(argc, argv);
@@ -1149,6 +1207,8 @@ ExitStatus dispatch(int argc, char** argv, const RankProgram* ranks) {
   if (app.got_subcommand("schema")) return schema.execute();
   if (app.got_subcommand("reference")) return reference.execute(app);
   if (app.got_subcommand("compare")) return compare.execute();
+  if (app.got_subcommand("examples")) return examples.execute();
+  if (app.got_subcommand("init")) return init.execute();
   return mesh.execute();
 }
 
