@@ -309,8 +309,8 @@ AdviseResult adviseScene(const AdviseOptions& options) {
       h / bracket.safe);
   for (const std::string& note : start.notes) result.text += fmt::format("  note: {}\n", note);
   if (h <= bracket.safe) {
-    result.text +=
-        fmt::format("a step of {:.6g} s is proven stable as the scene starts: {} alone will do\n", h, scene.method);
+    json["conclusion"] =
+        fmt::format("a step of {:.6g} s is proven stable as the scene starts: {} alone will do", h, scene.method);
     return result;
   }
 
@@ -361,8 +361,8 @@ AdviseResult adviseScene(const AdviseOptions& options) {
     result.text += tellRuns(ways, *runs, json);
   }
   const auto trialSteps = static_cast<std::int64_t>(std::ceil(time / h - 1e-9));
-  result.text +=
-      Advice(ways, options.error, runs ? &*runs : nullptr, runs ? runs->steps() : trialSteps).tell(json) + "\n";
+  json["conclusion"] =
+      Advice(ways, options.error, runs ? &*runs : nullptr, runs ? runs->steps() : trialSteps).tell(json);
   if (bad > 0) {
     const double without = safeWithout(start.body, start.state.x, start.rule, way.badlyShaped);
     json["remeshed"] = without;

@@ -314,17 +314,18 @@ class AuditReport {
       result.status = ExitStatus::unstable;
     else if (open)
       result.status = ExitStatus::notCertified;
-    conclude(result);
-    if (!known)
-      result.text += "the results do not tell which step was taken; --step h holds one against the brackets\n";
+    conclude(result, known);
     result.text += fmt::format("note: {}\n", honestLimit);
     result.json["note"] = honestLimit;
   }
 
  private:
   /// What a user asks first: how large the steps were beside what is proven of the same states.
-  void conclude(AuditResult& result) const {
+  void conclude(AuditResult& result, bool known) const {
     Json& steps = result.json["steps"] = nullptr;
+    result.json["conclusion"] =
+        known ? "no step is proven stable"
+              : "the results do not tell which step was taken; --step h holds one against the brackets";
     const AuditedState* closest = nullptr;
     double largest = 0, least = infinity;
     bool curable = true;
@@ -341,11 +342,12 @@ class AuditReport {
     const double share = *closest->step / closest->bracket->safe;
     steps =
         Json{{"largest", largest}, {"largest_share", share}, {"state", closest->index + 1}, {"proven_in_all", least}};
-    result.text += fmt::format(
-        "the step came to {:.3g} times the proven one, in {}; {:.6g} s is proven in every one of these states{}, "
-        "{:.3g} "
-        "times the largest step of the run\n",
-        share, nameOf(*closest), least, curable ? "" : " whose tangent is not indefinite", least / largest);
+    const double room = least / largest;
+    result.json["conclusion"] = fmt::format(
+        "the step came to {:.3g} times the proven one, in {}; {:.6g} s is proven in every one of these "
+        "states{}{}",
+        share, nameOf(*closest), least, curable ? "" : " whose tangent is not indefinite",
+        room > 1 && curable ? fmt::format(": the run could have been {:.3g} times shorter", room) : "");
   }
 
   void table(std::string& text, bool all) const {

@@ -81,6 +81,13 @@ std::string cheapestText(const std::vector<WorkPrecisionRun>& runs) {
   return text;
 }
 
+std::string cheapestConclusion(const std::vector<WorkPrecisionRun>& runs) {
+  std::vector<std::string> names;
+  for (const CheapestRuns& best : cheapestRuns(runs))
+    names.push_back(fmt::format("{} for {}", best.byTime ? best.byTime->integrator : "none", best.label));
+  return fmt::format("cheapest: {}", fmt::join(names, ", "));
+}
+
 std::vector<std::string> cheapestSentences(const std::vector<WorkPrecisionRun>& runs) {
   std::vector<std::string> sentences;
   for (const CheapestRuns& best : cheapestRuns(runs))
@@ -189,6 +196,7 @@ CompareResult compareScene(const CompareOptions& options) {
       result.text += fmt::format("  lost: {} at h = {:.4g} s: {}\n", run.integrator, run.h, run.reason);
   result.text += cheapestText(runs);
   result.found = cheapestSentences(runs);
+  result.json["conclusion"] = cheapestConclusion(runs);
   return result;
 }
 

@@ -539,6 +539,14 @@ void reportSides(const CriticalStep& step, const std::string& between, InspectRe
       fmt::format("  optimistic  {:.10g} s   proven unstable above, by {}\n", step.optimistic, step.optimisticBy);
 }
 
+/// What is proven of every step, in a clause.
+std::string provenText(const CriticalStep& step) {
+  if (step.indefinite()) return indefiniteText(step);
+  return std::isinf(step.safe) ? "every step is proven stable"
+         : step.safe > 0       ? fmt::format("every step up to {:.6g} s is proven stable", step.safe)
+                               : "no step is proven stable";
+}
+
 CriticalStep reportBracket(const Subject& subject, const InspectOptions& options, InspectResult& result) {
   std::optional<LanczosOptions> lanczos;
   if (options.lanczos) lanczos.emplace().eta = *options.lanczos;
@@ -705,6 +713,7 @@ InspectResult inspectMesh(const InspectOptions& options) {
   addRemedies(why, subject.body, subject.x, subject.rule(), *subject.integrator, StepWithout::proven,
               ring == metrics.end() ? nullptr : &*ring);
   result.text += reasonsText(why, "  ", "\n");
+  result.json["conclusion"] = provenText(step) + (why.is_null() ? "" : "; " + limitText(why));
   if (options.step) reportStep(subject, metrics, step, *options.step, result);
   if (options.prove) sides = reportProof(subject, *options.prove, step, result);
   if (options.distribution || options.picture) reportDistribution(subject, metrics, step, options, result);
@@ -728,6 +737,7 @@ InspectResult inspectParts(const InspectOptions& options, InspectedParts& parts)
   reportSides(step, "", result);
   reportControllingElement(parts.element(step.controlling), result);
   result.json["why"] = nullptr;  // no process has all elements
+  result.json["conclusion"] = provenText(step);
   return result;
 }
 

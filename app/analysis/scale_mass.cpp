@@ -124,7 +124,7 @@ ScaleMassResult planMass(const ScaleMassOptions& options) {
   for (const std::string& note : start.notes) result.text += fmt::format("  note: {}\n", note);
   if (options.step <= bracket.safe) {
     json["needed"] = false;
-    result.text += fmt::format("a step of {:.6g} s is proven stable without any\n", options.step);
+    json["conclusion"] = fmt::format("a step of {:.6g} s is proven stable without added mass", options.step);
     return result;
   }
   json["needed"] = true;
@@ -150,6 +150,14 @@ ScaleMassResult planMass(const ScaleMassOptions& options) {
                                  least.json["parts"][m].get<double>(), usual.json["parts"][m].get<double>());
     result.text += "\n";
   }
+  const Json& plan = least.json;
+  std::string lowest;
+  if (!before.empty() && !plan["frequencies"].empty())
+    lowest = fmt::format("; the lowest frequency changes by {:+.2g} %",
+                         100 * (plan["frequencies"][0].get<double>() / before[0] - 1));
+  json["conclusion"] = fmt::format("{:.3g} kg at {} nodes, {:.2g} % of the mass, prove a step of {:.6g} s{}",
+                                   plan["added_mass"].get<double>(), plan["nodes"].get<std::size_t>(),
+                                   100 * plan["added_share"].get<double>(), options.step, lowest);
   return result;
 }
 

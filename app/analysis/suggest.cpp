@@ -98,6 +98,7 @@ SuggestResult suggestSteps(const SuggestOptions& options) {
   Json& why = json["why"] = stepReasons(body, start.state.x, rule, *start.integrator, bracket);
   addRemedies(why, body, start.state.x, rule, *start.integrator, StepWithout::proven);
   result.text += reasonsText(why, "  ", "\n");
+  json["conclusion"] = fmt::format("in {:.6g} s: {}", frame, atStart) + (why.is_null() ? "" : "; " + limitText(why));
   json["notes"] = notes;
   for (const std::string& note : notes) result.text += fmt::format("  note: {}\n", note);
   return result;

@@ -64,10 +64,17 @@ void JsonOption::declare(CLI::App& command, const char* what) {
       ->type_name("FILE");
 }
 
+void JsonOption::save(const nlohmann::ordered_json& json) const {
+  if (!path.empty() && !takesStandardOutput()) writeFileAtomically(path, json.dump(2) + "\n");
+}
+
+void JsonOption::print(const nlohmann::ordered_json& json, const std::string& text) const {
+  printOut(takesStandardOutput() ? json.dump(2) + "\n" : text + conclusionLine(json));
+}
+
 void JsonOption::write(const nlohmann::ordered_json& json, const std::string& text) const {
-  const std::string whole = json.dump(2) + "\n";
-  if (!path.empty() && !takesStandardOutput()) writeFileAtomically(path, whole);
-  printOut(takesStandardOutput() ? whole : text);
+  save(json);
+  print(json, text);
 }
 
 std::string reportText(const ReportResult& report) {

@@ -50,6 +50,8 @@ std::unique_ptr<Command> verifyCommand(const Call& call);
 std::unique_ptr<Command> compareCommand(const Call& call);
 std::unique_ptr<Command> reportCommand(const Call& call);
 std::unique_ptr<Command> schemaCommand(const Call& call);
+std::unique_ptr<Command> examplesCommand(const Call& call);
+std::unique_ptr<Command> initCommand(const Call& call);
 std::unique_ptr<Command> referenceCommand(const Call& call);
 
 // What several commands share.
@@ -80,7 +82,10 @@ struct JsonOption {
   /// what: is written.
   void declare(CLI::App& command, const char* what);
   bool takesStandardOutput() const { return path == "-"; }
-  /// Writes the file, if one is wanted, and prints the text or the JSON.
+  /// Writes the file, if one is wanted.
+  void save(const nlohmann::ordered_json& json) const;
+  /// Prints the JSON, or the text and its conclusion.
+  void print(const nlohmann::ordered_json& json, const std::string& text) const;
   void write(const nlohmann::ordered_json& json, const std::string& text) const;
 };
 

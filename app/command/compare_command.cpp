@@ -54,8 +54,8 @@ struct CompareCommand final : Command {
   }
 
   ExitStatus execute() override {
-    const CompareResult result = compareScene(options);
-    json.write(result.json, studyText(result.report) + result.text);
+    CompareResult result = compareScene(options);
+    json.save(result.json);
     makeFolderOfPictures(folder);
     if (!folder.empty()) drawInto(folder, result.report);
     if (!page.empty()) {
@@ -66,8 +66,9 @@ struct CompareCommand final : Command {
                                            result.json,
                                            provenanceOf(call.typed, options.scene)},
                                           page);
-      if (!json.takesStandardOutput()) printOut(reportText(written));
+      result.text += reportText(written);
     }
+    json.print(result.json, studyText(result.report) + result.text);
     return ExitStatus::done;
   }
 };

@@ -193,11 +193,11 @@ struct RunCommand final : Command {
     // What ended it is what it says; what is missing behind that is of no moment.
     const bool cutShort = result.canGoOn();
     try {
-      std::string text = summaryText(description, body, result, options.folder);
+      std::string page;
       if (report || live)
-        text += reportText(
+        page = reportText(
             neededReportWriters().ofRun({.folder = options.folder, .output = {}, .frames = 0, .live = nullptr}));
-      if (!quiet) printOut(text);
+      if (!quiet) printOut(summaryText(description, body, result, options.folder, page));
     } catch (const InputError&) {
       if (!cutShort) throw;  // the terminal may be what is gone
     }

@@ -194,7 +194,14 @@ std::string studyText(const StudyReport& report) {
 
 nlohmann::ordered_json studiesJson(const std::vector<StudyReport>& reports) {
   nlohmann::ordered_json json;
+  std::size_t checks = 0, failed = 0;
+  for (const StudyReport& report : reports) {
+    checks += report.checks.size();
+    failed +=
+        static_cast<std::size_t>(std::ranges::count_if(report.checks, [](const StudyCheck& c) { return !c.passed(); }));
+  }
   json["passed"] = std::all_of(reports.begin(), reports.end(), [](const StudyReport& r) { return r.passed(); });
+  json["conclusion"] = fmt::format("{} of {} checks failed", failed, checks);
   for (const StudyReport& report : reports) {
     nlohmann::ordered_json& study = json["studies"][report.study];
     study["passed"] = report.passed();

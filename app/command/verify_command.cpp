@@ -45,12 +45,12 @@ struct VerifyCommand final : Command {
     const std::vector<StudyReport> reports =
         runStudies(studies, quick ? StudyEffort::quick : StudyEffort::full, progress);
     const nlohmann::ordered_json found = studiesJson(reports);
-    json.write(found, "");
-    if (!page.empty()) {
-      const ReportResult written =
-          neededReportWriters().ofStudies({"Verification", {}, reports, found, provenanceOf(call.typed, "")}, page);
-      if (!json.takesStandardOutput()) printOut(reportText(written));
-    }
+    json.save(found);
+    std::string written;
+    if (!page.empty())
+      written = reportText(
+          neededReportWriters().ofStudies({"Verification", {}, reports, found, provenanceOf(call.typed, "")}, page));
+    json.print(found, written);
     return passed ? ExitStatus::done : ExitStatus::unstable;
   }
 };

@@ -21,8 +21,12 @@ constexpr std::array<OutputField, n + m> joined(const OutputField (&first)[n], c
   return all;
 }
 
+/// The line that the text of every command ends with.
+constexpr OutputField conclusion{"conclusion", "", "the last line of the text", F::text};
+
 /// What is said of a bracket, whichever command made it.
 constexpr OutputField reasons[] = {
+    conclusion,
     {"why", "", "why the step is so small; null where every step is proven, none is, or nothing is known of it",
      F::object, P::orNull},
     {"why.safe", "s", "the safe step that it is about"},
@@ -50,6 +54,9 @@ constexpr OutputField reasons[] = {
     {"why.faults[]", "", "penalty, damping, strain, shape, size, poisson or material: what makes it small", F::text},
     {"why.own_step", "s", "by the reduced 1-ring of the element; null where it forbids none", F::number, P::orNull},
     {"why.median_step", "s", "that of the median element; null in very large meshes", F::number, P::orNull},
+    {"why.without_element", "s",
+     "proven without the element alone; null in large meshes, and where springs or contact set the step", F::number,
+     P::orNull},
     {"why.elements", "", "of the mesh", F::integer},
     {"why.remesh", "",
      "the elements whose own step is below half the median, else the worst hundredth; null where that gains nothing",
@@ -408,6 +415,7 @@ constexpr OutputField inspectionAlone[] = {
 constexpr auto inspection = joined(inspectionAlone, reasons);
 
 constexpr OutputField comparison[] = {
+    conclusion,
     {"program", "", "ringwatch", F::text},
     {"version", "", "of the program", F::text},
     {"scene_file", "", "the scene as it was given", F::text},
@@ -436,6 +444,7 @@ constexpr OutputField comparison[] = {
 };
 
 constexpr OutputField verification[] = {
+    conclusion,
     {"passed", "", "whether all checks of all studies passed", F::boolean},
     {"studies.*.passed", "", "whether all checks of the study passed", F::boolean},
     {"studies.*.tables.*[].*", "", "rows of the study's tables, by column", F::any},
@@ -447,6 +456,7 @@ constexpr OutputField verification[] = {
 };
 
 constexpr OutputField auditing[] = {
+    conclusion,
     {"results", "", "the results as they were given", F::text},
     {"states", "", "number of states", F::integer},
     {"law", "", "constitutive law of each material", F::text},
@@ -518,6 +528,7 @@ constexpr OutputField suggestionAlone[] = {
 constexpr auto suggestion = joined(suggestionAlone, reasons);
 
 constexpr OutputField massPlan[] = {
+    conclusion,
     {"scene", "", "file of the scene", F::text},
     {"step", "s", "that was asked for"},
     {"mass", "kg", "of the body, without added mass"},
@@ -541,6 +552,7 @@ constexpr OutputField massPlan[] = {
 };
 
 constexpr OutputField advice[] = {
+    conclusion,
     {"scene", "", "file of the scene", F::text},
     {"integrator", "", "its name", F::text},
     {"step", "s", "that is to be taken"},

@@ -10,6 +10,10 @@ namespace ringwatch {
 
 using Json = nlohmann::ordered_json;
 
+std::string conclusionLine(const Json& json) {
+  return fmt::format("conclusion: {}\n", json["conclusion"].get<std::string>());
+}
+
 std::string_view programVersion() { return RINGWATCH_VERSION; }
 
 Json numberOrNull(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }

@@ -27,6 +27,9 @@ nlohmann::ordered_json elementJson(const Mesh& mesh, const std::optional<Element
 std::string elementCounts(const ElementCounts& elements);
 std::string elementCounts(const Mesh& mesh);
 
+/// What the text of a command ends with, of its JSON.
+std::string conclusionLine(const nlohmann::ordered_json& json);
+
 /// Version of the program.
 std::string_view programVersion();
 

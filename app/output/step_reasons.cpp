@@ -186,7 +186,8 @@ Json paragraph(const Json& why) {
 }
 
 void clearRemedies(Json& why) {
-  for (const char* key : {"own_step", "median_step", "remesh", "mass", "handler"}) why[key] = nullptr;
+  for (const char* key : {"own_step", "median_step", "without_element", "remesh", "mass", "handler"})
+    why[key] = nullptr;
 }
 
 }  // namespace
@@ -257,11 +258,14 @@ void addRemedies(Json& why, const Body& body, NodeVectorsView x, const StepRule&
     while (few < steps.size() && steps[few].step < least) ++few;
     if (few == 0) few = steps.size() / worstOf;
     const double gain = few > 0 ? steps[few].step / steps.front().step : 1;
+    const bool taken = !isDiscrete(why) && whyNoHandlers(body, integrator).empty(),
+               proven = taken && without == StepWithout::proven && elements <= mostBracketed;
+    if (proven && elements > 1)
+      why["without_element"] =
+          numberOrNull(safeWithout(body, x, rule, {{static_cast<std::int32_t>(b), static_cast<std::int32_t>(e)}}));
     if (gain > worthDoing && !isDiscrete(why)) {
       ElementsInTheWay small;
       for (std::size_t i = 0; i < few; ++i) small.all.push_back(steps[i].element);
-      const bool taken = whyNoHandlers(body, integrator).empty(),
-                 proven = taken && without == StepWithout::proven && elements <= mostBracketed;
       const double step = proven ? safeWithout(body, x, rule, small.all) : gain * why["safe"].get<double>();
       if (step > worthDoing * why["safe"].get<double>() && std::isfinite(step)) {
         small.addShapes(body.mesh());
@@ -282,6 +286,20 @@ void addParagraph(Json& why) {
   if (why.is_null()) return;
   clearRemedies(why);
   why["text"] = paragraph(why);
+}
+
+std::string limitText(const Json& why) {
+  if (why.is_null()) return {};
+  if (isDiscrete(why)) return "springs or contact limit the step";
+  std::string text = fmt::format("element {} limits the step", why["element"]["id"].get<std::int64_t>());
+  if (!why.contains("median_step")) return text;  // of a run that goes on
+  if (const Json& without = why["without_element"]; !without.is_null())
+    text += fmt::format(", without it {:.4g} s, {:+.2g} %", without.get<double>(),
+                        100 * (without.get<double>() / why["safe"].get<double>() - 1));
+  if (why["median_step"].is_null()) return text;
+  return text + (why["handler"].is_null() ? "; no handler pays"
+                                          : fmt::format("; a handler may pay, for {} elements (ringwatch advise)",
+                                                        why["remesh"]["elements"].get<std::size_t>()));
 }
 
 std::string reasonsText(const Json& why, std::string_view before, std::string_view after) {

@@ -33,11 +33,15 @@ enum class StepWithout { proven, guessed };
 /// Completes what stepReasons() gave, of the same body and positions x: what it would bring to remesh, to add mass or
 /// to take a handler, by the steps of the elements' reduced 1-rings, and the paragraph, a line an entry of `text`.
 /// ring: at x where it is known; else it is evaluated in bodies of up to 20 000 elements. A step is proven for bodies
-/// of up to 5000 elements that take handlers, and else guessed.
+/// of up to 5000 elements that take handlers, and else guessed; where it is proven, so is that without the controlling
+/// element alone.
 void addRemedies(nlohmann::ordered_json& why, const Body& body, NodeVectorsView x, const StepRule& rule,
                  const IntegratorInfo& integrator, StepWithout without, const MetricResult* ring = nullptr);
 /// The paragraph alone, where the body or the state is not at hand any more.
 void addParagraph(nlohmann::ordered_json& why);
+
+/// "element 1357 limits the step, without it 7.1e-08 s, +7 %; no handler pays", of `why`; "" of null.
+std::string limitText(const nlohmann::ordered_json& why);
 
 /// The paragraph, each of its lines between two texts; "" where there is none.
 std::string reasonsText(const nlohmann::ordered_json& why, std::string_view before, std::string_view after);

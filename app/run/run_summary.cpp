@@ -15,6 +15,9 @@
 namespace ringwatch {
 namespace {
 
+/// Room above the largest step, as a factor, that is worth a word.
+constexpr double worthTelling = 1.05;
+
 using Json = nlohmann::ordered_json;
 
 Json cutsJson(const RunResult& result) {
@@ -226,6 +229,22 @@ std::string monitorOverForce(const RunResult& result) {
   return fmt::format(": {:.2g} times the force", result.monitorTime / result.forceTime);
 }
 
+/// What the run proved, what limited its step, and whether a handler pays.
+std::string conclusionOf(const Scene& scene, const RunResult& result) {
+  std::string text = result.watchedSteps == 0 ? std::string("no step was proven stable")
+                     : result.certified()
+                         ? std::string("every step was proven stable")
+                         : fmt::format("{} of {} steps were proven stable", result.certifiedSteps, result.watchedSteps);
+  if (result.firstViolated) text += fmt::format(", step {} is proven unstable", result.firstViolated->step);
+  if (result.verdict() == "unstable") text += ", the run is unstable";
+  if (result.handler) return text + fmt::format("; {} took {} elements", scene.handler, result.handler->elements);
+  if (const std::string limit = limitText(result.why); !limit.empty()) text += "; " + limit;
+  const double room = result.certified() && result.safeSeen ? result.safeSeen->least / result.largestStep : 0;
+  if (std::isfinite(room) && room > worthTelling)
+    text += fmt::format("; the run could have been {:.3g} times shorter", room);
+  return text;
+}
+
 Json momentJson(const std::optional<RunResult::Moment>& moment) {
   if (!moment) return nullptr;
   return Json{{"step", moment->step}, {"time", moment->time}};
@@ -277,6 +296,7 @@ Json summaryJson(const Scene& scene, const Body& body, const RunResult& result) 
       {"verdict", std::string(result.verdict())},
       {"stable", result.stable()},
       {"exit_status", static_cast<int>(result.exitStatus())},
+      {"conclusion", conclusionOf(scene, result)},
       {"certified", result.watchedSteps > 0 ? Json(result.certified()) : Json(nullptr)},
       {"certified_steps", result.certifiedSteps},
       {"watched_steps", result.watchedSteps},
@@ -312,7 +332,7 @@ Json summaryJson(const Scene& scene, const Body& body, const RunResult& result) 
 }
 
 std::string summaryText(const Scene& scene, const Body& body, const RunResult& result,
-                        const std::filesystem::path& folder) {
+                        const std::filesystem::path& folder, const std::string& page) {
   std::string text = fmt::format("{}: {} nodes, {}, {:.6g} kg, {}\n", scene.file.string(), body.mesh().nodeCount(),
                                  elementCounts(body.mesh()), body.totalMass(), scene.method);
   text += fmt::format("{}\n", bodyFigures(body).text());
@@ -366,7 +386,8 @@ std::string summaryText(const Scene& scene, const Body& body, const RunResult& r
     text += fmt::format("not certified: exit status {}\n", static_cast<int>(result.exitStatus()));
   std::string files;
   for (const std::string& file : result.files) files += (files.empty() ? "" : ", ") + file;
-  return text + fmt::format("wrote to {}: {}\n", folder.string(), files);
+  return text + fmt::format("wrote to {}: {}\n", folder.string(), files) + page +
+         conclusionLine({{"conclusion", conclusionOf(scene, result)}});
 }
 
 }  // namespace ringwatch

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, fields
+from html import escape
 from typing import Any
 
 import numpy as np
@@ -29,6 +30,12 @@ class Result:
     def __repr__(self) -> str:
         shown = (f"{field.name}={_brief(getattr(self, field.name))}" for field in fields(self))
         return f"{type(self).__name__}({', '.join(shown)})"
+
+    def _repr_html_(self) -> str:
+        """Shows itself in a notebook: what `print` says, and a row for each field."""
+        said = str(self) if type(self).__str__ is not object.__str__ else type(self).__name__
+        rows = "".join(f"<tr><th>{field.name}</th><td>{escape(_brief(getattr(self, field.name)))}</td></tr>" for field in fields(self))
+        return f"<p>{escape(said)}</p><table>{rows}</table>"
 
 
 @dataclass(frozen=True, slots=True, repr=False)

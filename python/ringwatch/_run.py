@@ -42,6 +42,9 @@ class RunResult(Result):
     """The columns of history.csv by name: float64, NaN where a field is empty; controlling_element and verdict are
     texts."""
 
+    def __str__(self) -> str:
+        return f"{self.verdict}: {self.summary['conclusion']}"
+
     def plot(self, ax: Any = None) -> Any:
         """Draws both sides of the bracket, the step by the monitor's metric, where there is one, and the step that was
         taken, s, over time, s, with the beginnings of events.
@@ -87,6 +90,9 @@ class Audit(Result):
     """The largest step used over the proven step of its state; NaN where the results tell no step."""
     found: dict[str, Any]
     """All that `ringwatch audit --json` writes."""
+
+    def __str__(self) -> str:
+        return self.message
 
     @property
     def message(self) -> str:

@@ -58,10 +58,14 @@ void Program::expectValid(const std::string& arguments, const Outcome& outcome) 
   constexpr std::size_t longest = 10000;  // std::regex calls itself for every character
   if (arguments.size() > longest) return;
   std::smatch found;
+  const std::string standardOutput = "standard output";
   const auto document = [&](const std::string& name, const std::string& text, const std::string& schema) {
     const Json value = Json::parse(text, nullptr, false);
     ASSERT_FALSE(value.is_discarded()) << arguments << ": " << name;
     EXPECT_EQ(schemaFault(schema, value), "") << arguments << ": " << name;
+    if (name != standardOutput && value.contains("conclusion") && !outcome.out.empty()) {
+      EXPECT_THAT(outcome.out, ::testing::EndsWith("\nconclusion: " + value["conclusion"].get<std::string>() + "\n"));
+    }
   };
   static const std::regex json("^([\\w-]+) .*--json[ =]([\\w./-]+)"), run("^run .*--out[ =]([\\w./-]+)"),
       scene("^run ([\\w./-]+\\.toml)"),
@@ -69,7 +73,7 @@ void Program::expectValid(const std::string& arguments, const Outcome& outcome) 
   if (outcome.status != 2 && std::regex_search(arguments, found, json)) {
     const std::filesystem::path path = folder_.path() / found[2].str();
     if (found[2] == "-")
-      document("standard output", outcome.out, found[1]);
+      document(standardOutput, outcome.out, found[1]);
     else if (std::filesystem::is_regular_file(path))
       document(path.string(), folder_.read(path), found[1]);
   }

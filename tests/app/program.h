@@ -35,7 +35,8 @@ class Program : public ::testing::Test {
   /// A line for the shell, in the test's folder.
   Outcome shell(const std::string& line);
   /// Calls the program in the test's folder; arguments as a shell reads them. Expects that what it writes as JSON and
-  /// the scene that it runs are valid against its schemas, and that a scene which it refuses for a key is not.
+  /// the scene that it runs are valid against its schemas, that a scene which it refuses for a key is not, and that its
+  /// text ends with the conclusion of its JSON.
   Outcome call(const std::string& arguments, const std::string& environment = "");
   /// The executable that is called.
   virtual std::string executable() const;

@@ -68,6 +68,7 @@ TEST_F(Program, InspectSaysWhatMakesAThinElementsStepSmall) {
   EXPECT_EQ(why["remesh"]["elements"], 1);
   EXPECT_EQ(why["remesh"]["numbers"], "number 3");
   EXPECT_TRUE(why["remesh"]["proven"]);
+  EXPECT_EQ(why["without_element"], why["remesh"]["step"]);
   EXPECT_GT(why["remesh"]["step"].get<double>(), 2 * why["safe"].get<double>());
   const auto suggested = [&](const std::string& mesh, double mass) {
     folder_.write("row.toml", "[mesh]\nfile = \"" + mesh +

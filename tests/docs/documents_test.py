@@ -31,6 +31,10 @@ SUBSTITUTES = {
         ("ringwatch run examples/stretch_bar.toml --out out/stretch_bar", 1),
     "ringwatch run examples/stretch_bar.toml --out out/stretch_bar --live":
         ("ringwatch run examples/stretch_bar.toml --out out/stretch_bar --live", 1),
+    "ringwatch audit out/stretch_bar/run.pvd --scene examples/stretch_bar.toml --report out/stretch_bar.html":
+        ("ringwatch audit out/stretch_bar/run.pvd --scene examples/stretch_bar.toml --report out/stretch_bar.html", 1),
+    "ringwatch run examples/rolling_ring.toml --out out/rolling_ring":
+        ("ringwatch run examples/rolling_ring.toml --out out/rolling_ring --set integrator.end=0.01", 0),
     "ringwatch run start.toml --out start": ("ringwatch run start.toml --out start", 1),
     # Stopped once it can be resumed.
     "ringwatch run pull.toml --out pull_stopped":

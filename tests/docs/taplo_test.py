@@ -34,7 +34,7 @@ def main():
         first = next(line for line in (source / "docs/machines.md").read_text(encoding="utf-8").split("\n") if line.startswith("#:schema"))
         good = (source / examples[0]).read_text(encoding="utf-8")
         for text, expected in ((good, 0), (good.replace("young = ", "youngs = "), 1), (good.replace('"bar"', '"barn"'), 1)):
-            (folder / "scene.toml").write_text(f"{first}\n{text}", encoding="utf-8")
+            (folder / "scene.toml").write_text(f"{first}\n" + text.split("\n", 1)[1], encoding="utf-8")
             status, said = check("scene.toml", folder=folder)
             if (status != 0) != expected:
                 print(f"taplo ends with {status}, not {expected}:\n{text}\n{said}")

@@ -1,6 +1,7 @@
 """Type hints: mypy --strict finds nothing in the package and in a program that uses all of it, and finds a seeded fault;
 the hints of the extension are those of the extension itself."""
 import ast
+import dataclasses
 import importlib
 import inspect
 import os
@@ -9,6 +10,7 @@ import pydoc
 import subprocess
 import sys
 from typing import Any
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
@@ -152,6 +154,11 @@ def test_what_is_shown_is_a_few_words() -> None:
             assert text.count("\n") <= 1 and len(text) <= 800 and " at 0x" not in text and "array([" not in text, text
     assert f"{step.safe:.6g}" in str(step) and str(step.controlling) in str(step)
     assert f"{mesh.points.shape[0]} nodes" in repr(mesh) and "tet4" in repr(mesh)
+    assert report.bracket is not None
+    for result in (step, report, report.bracket):  # what a notebook shows
+        shown = ElementTree.fromstring(f"<div>{result._repr_html_()}</div>")
+        assert shown.findtext("p") == str(result)
+        assert [row.findtext("th") for row in shown.iter("tr")] == [field.name for field in dataclasses.fields(result)]
 
 
 @pytest.mark.parametrize("name", rw.__all__)

@@ -1,0 +1,65 @@
+#include <ringwatch/app/command/examples.h>
+
+#include <algorithm>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <ringwatch/app/command/schema.h>
+#include <ringwatch/base/atomic_file.h>
+#include <ringwatch/base/error.h>
+#include <ringwatch/base/nearest_name.h>
+#include <ringwatch/base/user_text.h>
+
+namespace ringwatch {
+namespace {
+
+constexpr std::string_view schemaMark = "#:schema ", schemaFile = "scene.schema.json";
+
+std::string_view stemOf(const ExampleFile& example) { return example.name.substr(0, example.name.rfind('.')); }
+
+/// Without the line that names the schema by its place in a clone.
+std::string_view withoutSchema(std::string_view text) {
+  return text.starts_with(schemaMark) ? text.substr(text.find('\n') + 1) : text;
+}
+
+}  // namespace
+
+std::string exampleListing() {
+  std::string text;
+  for (const ExampleFile& example : exampleFiles()) {
+    std::string_view first = withoutSchema(example.text).substr(2);  // behind "# "
+    first = first.substr(0, first.find('\n'));
+    const std::size_t end = std::min(first.find(". "), first.find_last_not_of('.') + 1);
+    text += fmt::format("  {:<18} {}\n", stemOf(example), first.substr(0, end));
+  }
+  return text;
+}
+
+void writeNewScene(const std::filesystem::path& file, std::string_view text) {
+  if (std::filesystem::exists(file))
+    throw InputError(fmt::format("{} is there already; choose another name or folder", file.string()));
+  writeFileAtomically(file.parent_path() / schemaFile, schemaOf("scene").dump(2) + "\n");
+  writeFileAtomically(file, fmt::format("{}./{}\n{}", schemaMark, schemaFile, text));
+}
+
+std::string copyExamples(const std::string& name, const std::filesystem::path& folder) {
+  std::vector<std::string> known{"all"};
+  std::string text;
+  for (const ExampleFile& example : exampleFiles()) known.emplace_back(stemOf(example));
+  for (const ExampleFile& example : exampleFiles()) {
+    if (name != "all" && name != stemOf(example)) continue;
+    const std::filesystem::path file = folder / example.name;
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) throw InputError(fmt::format("--out: cannot write {}: {}", folder.string(), error.message()));
+    writeNewScene(file, withoutSchema(example.text));
+    text += fmt::format("wrote {}\n", file.string());
+  }
+  if (text.empty())
+    throw InputError(fmt::format("examples: unknown {}; {}known are {}", inQuotes(name), didYouMean(name, known),
+                                 fmt::join(known, ", ")));
+  return text;
+}
+
+}  // namespace ringwatch
