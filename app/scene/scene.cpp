@@ -28,7 +28,7 @@ std::map<std::string, std::string> placesOf(const std::vector<SceneTable>& secti
     places.emplace(section.name, section.origin);
     for (const auto& [key, entry] : section.entries)
       if (entry.given && (std::ranges::find(off, entry.value) == std::end(off) ||
-                          std::ranges::any_of(sceneKeys(), [&](const SceneKey& known) {
+                          std::ranges::any_of(sceneKeys(), [&, key = std::string_view(key)](const SceneKey& known) {
                             return known.section == section.name && known.key == key && known.fallback == "true";
                           })))
         places.emplace(section.name + "." + key, entry.origin);
@@ -47,7 +47,7 @@ void takeDefaultsOfGpu(Scene& scene) {
 std::span<const SceneTable> tablesOf(const std::vector<SceneTable>& all, std::string_view name) {
   const auto first = std::ranges::find(all, name, &SceneTable::name);
   const auto last = std::find_if(first, all.end(), [&](const SceneTable& table) { return table.name != name; });
-  return {first, last};
+  return std::span(all).subspan(first - all.begin(), last - first);
 }
 
 Json echoOf(std::span<const SceneTable> tables, const SceneSection& section) {

@@ -269,10 +269,9 @@ int MeshBuilder::groupOfBoth(int one, int other) {
 }
 
 std::size_t MeshBuilder::leaveDoublesOut(Elements& list) {
-  const auto width = static_cast<std::ptrdiff_t>(list.type->nodes);
+  const std::size_t width = list.type->nodes;
   const auto nodesOf = [&](std::vector<std::int64_t>& nodes, std::size_t e) {
-    const auto first = nodes.begin() + width * static_cast<std::ptrdiff_t>(e);
-    return std::span(first, first + width);
+    return std::span(nodes).subspan(width * e, width);
   };
   const bool all = doubles == Doubles::all;
   if (!all && std::ranges::adjacent_find(list.groups, std::ranges::not_equal_to()) == list.groups.end()) return 0;

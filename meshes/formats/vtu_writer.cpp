@@ -106,8 +106,8 @@ constexpr const char* howToGetVtk =
     "this build is without VTK; install it (Debian: libvtk9-dev) and configure with -DRINGWATCH_WITH_VTK=ON";
 }
 namespace detail {
-// Of the readers (mesh_readers.h): it is here since this file alone sees VTK.
-bool unpack(const std::string& source, const std::string&, const char*, std::size_t, char*, std::size_t) {
+// Of the readers (mesh_readers.h): it is here since this file alone sees VTK. A program without VTK may bring its own.
+[[gnu::weak]] bool unpack(const std::string& source, const std::string&, const char*, std::size_t, char*, std::size_t) {
   throw InputError(source + ": the data are packed: " + howToGetVtk);
 }
 void writeVtuWithSets(const Mesh&, const std::filesystem::path& path) {
