@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include <ringwatch/app/command/examples.h>
-#include <ringwatch/app/command/number_text.h>
+#include <ringwatch/app/scene/number_text.h>
 #include <ringwatch/app/scene/scene.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/user_text.h>

@@ -5,6 +5,7 @@
 #include <ringwatch/app/command/command.h>
 #include <ringwatch/app/command/help.h>
 #include <ringwatch/app/command/init.h>
+#include <ringwatch/app/scene/scene_keys.h>
 
 namespace ringwatch {
 namespace {

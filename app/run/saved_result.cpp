@@ -77,7 +77,7 @@ std::int64_t below(std::size_t count, const Json& json, std::int64_t least = 0) 
   return number;
 }
 
-Json momentJson(const std::optional<RunResult::Moment>& moment) {
+Json savedMoment(const std::optional<RunResult::Moment>& moment) {
   return moment ? Json{moment->step, moment->time} : Json(nullptr);
 }
 
@@ -128,7 +128,7 @@ Json savedResult(const RunResult& result) {
           {"certified_steps", result.certifiedSteps},
           {"first_observation_steps", result.firstObservationSteps},
           {"safe_seen", result.safeSeen ? Json{result.safeSeen->least, result.safeSeen->largest} : Json(nullptr)},
-          {"first_violated", momentJson(result.firstViolated)},
+          {"first_violated", savedMoment(result.firstViolated)},
           {"why", result.why},
           {"repeats", result.repeats ? Json{result.repeats->count, result.repeats->droppedSteps} : Json(nullptr)},
           {"events", std::move(events)},

@@ -7,7 +7,7 @@
 #define STBI_NO_STDIO
 #include <stb/stb_image.h>
 
-#include <ringwatch/app/command/inspect.h>
+#include <ringwatch/app/analysis/inspect.h>
 #include <ringwatch/app/report/inspection_report.h>
 #include <ringwatch/app/scene/mjcf_model.h>
 #include <ringwatch/base/error.h>

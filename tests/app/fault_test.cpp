@@ -375,7 +375,7 @@ TEST_F(Faults, RefusesInputWithoutEnd) {
   std::filesystem::resize_file(folder_.path() / "large.msh", std::uintmax_t{1} << 42, error);
   if (!error)
     expectRefused("inspect large.msh" + materialOptions, "large.msh: cannot read: the file has 4398046511104 bytes");
-  folder_.write("large.toml", std::string(std::size_t{17} << 20, '\n'));
+  folder_.write("large.toml", std::string(std::size_t{17} << 20, '#'));
   expectRefused("run large.toml --out r", "large.toml: is larger than 16 MiB");
 }
 
