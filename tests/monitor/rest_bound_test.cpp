@@ -121,7 +121,8 @@ TEST_P(RestBoundTest, HasAMajorantOfTheTangentAtEveryState) {
           excess.block<3, 3>(3 * i, 3 * i) -= majorant;
           highest = std::max(highest, majorant.selfadjointView<Eigen::Lower>().eigenvalues().maxCoeff());
         }
-        EXPECT_NEAR(value, highest, ofSingles * highest) << law.name << ", step " << step;
+        EXPECT_TRUE(std::isinf(value) || std::abs(value - highest) <= ofSingles * highest)
+            << law.name << ", step " << step;
         const Eigen::VectorXd eigenvalues = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(excess).eigenvalues();
         ASSERT_LE(eigenvalues.maxCoeff(), rounding * eigenvalues.cwiseAbs().maxCoeff())
             << law.name << ", " << count << " elements, shaken by " << size << ", step " << step;
