@@ -21,13 +21,17 @@ void RunRepeats::keep() {
            run_.lastVerdict};
 }
 
+void RunRepeats::noteCertified(const MonitorReport& report) {
+  if (!kept_ || !report.fresh || report.verdict != Verdict::certified) return;
+  if (!certified_ || certified_->result.steps != kept_->result.steps) fromThere_ = 0;
+  certified_ = std::exchange(kept_, std::nullopt);
+}
+
 bool RunRepeats::goBack(const MonitorReport& report) {
   if (run_.scene.onViolation != OnViolation::repeat || run_.result.reason != ExitReason::end) return false;
   const bool finite = isFinite(run_.state, run_.body.threads());
   if (finite && (!report.fresh || report.verdict == Verdict::certified)) {
-    if (!report.fresh || !kept_) return false;
-    if (!certified_ || certified_->result.steps != kept_->result.steps) fromThere_ = 0;
-    certified_ = std::exchange(kept_, std::nullopt);
+    noteCertified(report);
     return false;
   }
   // Before the first step, or with the certified one itself, there is nothing to drop.

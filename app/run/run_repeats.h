@@ -18,6 +18,8 @@ class RunRepeats {
   /// Keeps all of the run before its state is observed, where that is due. A copy of its state and of what its monitor
   /// knows, some 100 bytes a tet4.
   void keep();
+  /// A state whose step is certified, by an observation of it, is the one to go back to from here on.
+  void noteCertified(const MonitorReport& report);
   /// Where a report of the state has no certified step, or the state is not finite: goes back to the last certified
   /// state, and is true. Ends the run where it has been there as often as the scene allows.
   bool goBack(const MonitorReport& report);

@@ -236,11 +236,15 @@ std::string conclusionOf(const Scene& scene, const RunResult& result) {
                          ? std::string("every step was proven stable")
                          : fmt::format("{} of {} steps were proven stable", result.certifiedSteps, result.watchedSteps);
   if (result.firstViolated) text += fmt::format(", step {} is proven unstable", result.firstViolated->step);
-  if (result.verdict() == "unstable") text += ", the run is unstable";
+  if (result.verdict() == "unstable")
+    text += fmt::format(", but {}", result.runaway       ? "the energy ran away"
+                                    : result.energyOff() ? "the energy balance is off"
+                                                         : result.reasonText);
+  if (result.reason == ExitReason::stepCollapsed) text += ", but " + result.reasonText;
   if (result.handler) return text + fmt::format("; {} took {} elements", scene.handler, result.handler->elements);
   if (const std::string limit = limitText(result.why); !limit.empty()) text += "; " + limit;
   const double room = result.certified() && result.safeSeen ? result.safeSeen->least / result.largestStep : 0;
-  if (std::isfinite(room) && room > worthTelling)
+  if (std::isfinite(room) && room > worthTelling && result.reason == ExitReason::end)
     text += fmt::format("; the run could have been {:.3g} times shorter", room);
   return text;
 }

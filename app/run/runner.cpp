@@ -123,8 +123,12 @@ class Runner {
       const bool rowDue = k % run_.scene.historyEvery == 0;
       MonitorReport report = run_.observe(k, rowDue);
       if (repeats_.goBack(report)) continue;
-      if (!run_.acceptState(report) || !run_.chooseStep(report)) return run_.recordEvents(report);
+      if (!run_.acceptState(report)) return run_.recordEvents(report);
+      const bool goesOn = run_.chooseStep(report);
       run_.checkEnergies(k);
+      if (!goesOn) return run_.recordEvents(report);
+      // One that was shortened before the first step is certified now.
+      repeats_.noteCertified(report);
       run_.record(report, rowDue);
       tellListener(report);
       if (run_.stopsAt(report)) return run_.end(reasonToStop(report), textOfStop(report));
