@@ -1,7 +1,6 @@
 #include <ringwatch/meshes/mesh_io.h>
 
 #include <algorithm>
-#include <iterator>
 #include <vector>
 
 #include <ringwatch/base/registry.h>
@@ -143,7 +142,7 @@ Mesh loadMesh(const fs::path& path, std::vector<std::string>* notes, bool repair
   Mesh mesh = readMesh(path, notes);
   if (repair) {
     RepairedMesh repaired = repairMesh(std::move(mesh), path.string());
-    if (notes != nullptr) std::ranges::move(repaired.done, std::back_inserter(*notes));
+    if (notes != nullptr) notes->insert(notes->end(), repaired.done.begin(), repaired.done.end());
     mesh = std::move(repaired.mesh);
   }
   requireSound(mesh, path.string(), notes);

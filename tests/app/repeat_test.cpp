@@ -65,6 +65,19 @@ TEST_F(Repeats, GoesBackToTheStartAndIsTheRunWithTheSmallerStep) {
   EXPECT_EQ(summary["frames"], json("direct/summary.json")["frames"]);
 }
 
+// The step is shortened before the first one is taken; what comes of it goes back to there.
+TEST_F(Repeats, GoesBackToAStartWhoseStepWasShortened) {
+  const double h = 1.5 * startStep();
+  const Outcome outcome = run(
+      "--out r --set monitor.on_violation=repeat --set monitor.every=60 --set integrator.end=" + test::digits(60 * h),
+      h);
+  ASSERT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+  const Json summary = json("r/summary.json");
+  EXPECT_TRUE(summary["certified"]);
+  EXPECT_GE(summary["repeats"]["count"], 1);
+  EXPECT_LT(summary["largest_step"].get<double>(), startStep());
+}
+
 // The run observes its start and its end alone.
 TEST_F(Repeats, JudgesTheEndOfTheRun) {
   const double h = 0.999 * startStep();
@@ -163,6 +176,7 @@ TEST_F(Repeats, EndsWhereItHasGoneBackOftenEnough) {
   EXPECT_EQ(outcome.status, 1);
   const Json summary = json("r/summary.json");
   EXPECT_EQ(summary["exit_reason"], "step-collapsed");
+  EXPECT_NE(summary["verdict"], "certified");
   EXPECT_THAT(summary["exit_text"].get<std::string>(),
               HasSubstr("went back to step 0, t = 0 s, as often as monitor.repeats = 1 allows"));
   EXPECT_EQ(summary["repeats"]["count"], 1);
