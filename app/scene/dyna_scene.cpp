@@ -123,6 +123,7 @@ class DynaReader : DeckWriter {
   struct Handler {
     std::string_view keyword;
     void (DynaReader::*read)();
+    std::size_t most = 0;  // cards that the keyword has, of those that have a number of them
   };
   static const Handler handlers[];
 
@@ -130,6 +131,7 @@ class DynaReader : DeckWriter {
     keyword_ = keywords_.read(line);
     cards_.clear();
     handler_ = nullptr;
+    mostCards_ = 0;
     const std::string& name = keyword_.name;
     const bool ofMaterial = name.starts_with("MAT_") && !name.starts_with("MAT_ADD_");
     const DynaLawEntry* law = ofMaterial ? findDynaLaw(std::string_view(name).substr(4)) : nullptr;
@@ -149,7 +151,7 @@ class DynaReader : DeckWriter {
       if (const auto* own =
               std::find_if(handlers, handlers + handlerCount, [&](const Handler& one) { return one.keyword == name; });
           own != handlers + handlerCount)
-        handler_ = own->read;
+        handler_ = own->read, mostCards_ = own->most;
     if (isStructure(name)) structures_.try_emplace(name, 0, line.position);
   }
   static bool isStructure(std::string_view name) {
@@ -165,6 +167,11 @@ class DynaReader : DeckWriter {
     }
   }
   void finishKeyword() {
+    if (handler_ != nullptr && mostCards_ > 0 && cardCount() > mostCards_ &&
+        !nothingFollows(cards_.size() - cardCount() + mostCards_))
+      lines_.failAt(card(mostCards_).position(),
+                    fmt::format("*{}: has {}; what is behind it takes a keyword of its own", keyword_.name,
+                                mostCards_ == 1 ? "one line" : fmt::format("{} lines", mostCards_)));
     if (handler_ != nullptr) (this->*handler_)();
     handler_ = nullptr;
   }
@@ -1182,6 +1189,7 @@ class DynaReader : DeckWriter {
   std::map<std::string, std::pair<std::int64_t, std::size_t>> structures_;  // keyword -> number, first position
   std::set<std::int64_t> partSets_;                                         // of any parts
   std::vector<bool> ofSolids_;                                              // of each node, once asked for
+  std::size_t mostCards_ = 0;                                               // of the keyword at hand; 0: any number
   int walls_ = 0, others_ = 0;
   double massDamping_ = 0, quadratic_ = usualQuadratic, linear_ = usualLinear;
   double end_ = 0, stepFactor_ = usualStepFactor, scaledStep_ = 0;
@@ -1195,11 +1203,11 @@ const DynaReader::Handler DynaReader::handlers[] = {
     {"SECTION_SOLID", &DynaReader::section},
     {"HOURGLASS", &DynaReader::hourglass},
     {"ELEMENT_MASS", &DynaReader::pointMass},
-    {"CONTROL_TERMINATION", &DynaReader::termination},
+    {"CONTROL_TERMINATION", &DynaReader::termination, 1},
     {"CONTROL_TIMESTEP", &DynaReader::timestep},
-    {"CONTROL_BULK_VISCOSITY", &DynaReader::bulkViscosity},
-    {"CONTROL_HOURGLASS", &DynaReader::controlHourglass},
-    {"CONTROL_SOLUTION", &DynaReader::analysis},
+    {"CONTROL_BULK_VISCOSITY", &DynaReader::bulkViscosity, 1},
+    {"CONTROL_HOURGLASS", &DynaReader::controlHourglass, 1},
+    {"CONTROL_SOLUTION", &DynaReader::analysis, 1},
     {"CONTROL_DYNAMIC_RELAXATION", &DynaReader::analysis},
     {"CONTROL_IMPLICIT_GENERAL", &DynaReader::analysis},
     {"BOUNDARY_SPC_NODE", &DynaReader::support},
@@ -1207,17 +1215,17 @@ const DynaReader::Handler DynaReader::handlers[] = {
     {"BOUNDARY_PRESCRIBED_MOTION_NODE", &DynaReader::motion},
     {"BOUNDARY_PRESCRIBED_MOTION_SET", &DynaReader::motion},
     {"BOUNDARY_PRESCRIBED_MOTION_RIGID", &DynaReader::motion},
-    {"INITIAL_VELOCITY", &DynaReader::initialVelocity},
+    {"INITIAL_VELOCITY", &DynaReader::initialVelocity, 2},
     {"INITIAL_VELOCITY_NODE", &DynaReader::initialVelocityOfNodes},
     {"INITIAL_VELOCITY_GENERATION", &DynaReader::initialVelocityGeneration},
-    {"DAMPING_GLOBAL", &DynaReader::globalDamping},
+    {"DAMPING_GLOBAL", &DynaReader::globalDamping, 1},
     {"DAMPING_PART_STIFFNESS", &DynaReader::stiffnessDamping},
     {"DEFINE_CURVE", &DynaReader::curve},
     {"LOAD_NODE_POINT", &DynaReader::nodalLoad},
     {"LOAD_NODE_SET", &DynaReader::nodalLoad},
-    {"LOAD_BODY_X", &DynaReader::bodyLoad},
-    {"LOAD_BODY_Y", &DynaReader::bodyLoad},
-    {"LOAD_BODY_Z", &DynaReader::bodyLoad},
+    {"LOAD_BODY_X", &DynaReader::bodyLoad, 1},
+    {"LOAD_BODY_Y", &DynaReader::bodyLoad, 1},
+    {"LOAD_BODY_Z", &DynaReader::bodyLoad, 1},
     {"LOAD_SEGMENT", &DynaReader::segmentLoad},
     {"LOAD_SEGMENT_SET", &DynaReader::segmentLoad},
     {"SET_PART", &DynaReader::partSet},

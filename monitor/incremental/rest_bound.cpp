@@ -27,7 +27,7 @@ constexpr double boundOfUnknown = 1e36;
 /// What a thread takes at a time.
 constexpr int groupsOfThread = 64, regionsOfThread = 16;
 /// Of principal stretches and sums of few products, relative; and how far a G is from a rotation in single precision.
-constexpr double motionRounding = 1e-10, turnRounding = 1e-5;
+constexpr double relativeRounding = 1e-10, turnRounding = 1e-5;
 /// Of weights in single precision, relative.
 constexpr double weightRounding = 1e-6;
 
@@ -48,7 +48,7 @@ Symmetric3<S> productWithTranspose(const Matrix3<S>& T) {
     for (int j = i; j < 3; ++j) product(i, j) = T(i, 0) * T(j, 0) + T(i, 1) * T(j, 1) + T(i, 2) * T(j, 2);
   return product;
 }
-/// All eigenvalues, ascending, to motionRounding of the largest.
+/// All eigenvalues, ascending, to relativeRounding of the largest.
 struct Eigenvalues {
   NativePack least, middle, largest;
 };
@@ -73,14 +73,14 @@ const NativePack (&atRest())[3] {
   return ones;
 }
 
-/// A rotation to motionRounding, by Newton's iteration for the polar factor (Higham 2008, section 8.3), of what is near
-/// one; the identity of what is not.
+/// A rotation to relativeRounding, by Newton's iteration for the polar factor (Higham 2008, section 8.3), of what is
+/// near one; the identity of what is not.
 Matrix3<double> nearRotation(Matrix3<double> T) {
   constexpr int most = 8;
   for (int k = 0; k < most; ++k) {
     const Matrix3<double> next = 0.5 * (T + transpose(inverse(T))), step = next - T;
     T = next;
-    if (innerProduct(step, step) < motionRounding) break;
+    if (innerProduct(step, step) < relativeRounding) break;
   }
   T = polishedRotation(T);
   return determinant(T) > 0.5 && determinant(T) < 2 ? T : Matrix3<double>::identity();
@@ -94,7 +94,7 @@ NativePack shareOf(const Symmetric3<NativePack>& A, double lambda, double twoMu)
   const Symmetric3<NativePack> ratio = congruence(root, A);
   NativePack size(0.0);
   for (int c = 0; c < 6; ++c) size += math::abs(ratio.m[c]);
-  return eigenvaluesOf(ratio).largest + NativePack(motionRounding) * size;
+  return eigenvaluesOf(ratio).largest + NativePack(relativeRounding) * size;
 }
 
 }  // namespace
@@ -309,10 +309,10 @@ RestBound::Moved RestBound::turned(const Group& group, const Matrix3<P>& T, cons
     stretches[1] = own.middle;
     stretches[2] = own.largest;
     // Where there is no closest rotation.
-    radius = select(skew <= P(motionRounding) * size, radius, P(-1.0));
+    radius = select(skew <= P(relativeRounding) * size, radius, P(-1.0));
   }
   // A mirrored gradient is no stretch, nor is one whose diagonal is not positive.
-  for (const P& stretch : stretches) radius = select(stretch > P(motionRounding) * size, radius, P(-1.0));
+  for (const P& stretch : stretches) radius = select(stretch > P(relativeRounding) * size, radius, P(-1.0));
   PrincipalTangent<P> tangent;
   body_.blocks()[group.block]->principalTangentAt(stretches, tangent);
   Symmetric3<P> normal;
@@ -380,7 +380,7 @@ void RestBound::refer(NodeVectorsView x, std::int32_t g) {
       const Matrix3<P> off = F[q] - T;
       delta = math::max(delta, innerProduct(off, off));
     }
-    delta = math::sqrt(delta) + P(motionRounding) * math::sqrt(size2);
+    delta = math::sqrt(delta) + P(relativeRounding) * math::sqrt(size2);
     const P stored = ValidityBalls::storeGradients(
         gradients.data(), rest.gradients,
         reference_[group.block].data() + 9 * lanes * (static_cast<std::ptrdiff_t>(batch) * rest.gradients));
@@ -652,7 +652,7 @@ double RestBound::boundNodes(Region& region) {
     }
     const P trace = sum.trace();
     most = math::max(most, trace);
-    highest = math::max(highest, eigenvaluesOf(sum).largest + P(motionRounding) * trace + rest);
+    highest = math::max(highest, eigenvaluesOf(sum).largest + P(relativeRounding) * trace + rest);
     statistics_.nodes += lanes;
   }
   region.weight = region.trace = 0;

@@ -507,6 +507,12 @@ TEST_F(DynaDecks, RefuseWhatWouldChangeTheMotion) {
   refuseAlways(block(keyword("CONTROL_TIMESTEP", card(0), card(0, 7))), "DT2MSLC = 7");
   refuseAlways(block(keyword("CONTROL_BULK_VISCOSITY", card(0, 0, 2))), "*CONTROL_BULK_VISCOSITY, TYPE = 2");
   refuse(block(keyword("DEFINE_CURVE", card(9, 2), points({{0, 0}, {1, 1}}))), "*DEFINE_CURVE, SIDR = 2");
+  // A card more than a keyword has.
+  const std::string behind = "what is behind it takes a keyword of its own";
+  refuse(block(keyword("INITIAL_VELOCITY", card(0), card(1.0), card(0), card(5.0))),
+         "*INITIAL_VELOCITY: has 2 lines; " + behind);
+  for (const char* name : {"LOAD_BODY_X", "LOAD_BODY_Y", "LOAD_BODY_Z", "DAMPING_GLOBAL"})
+    refuse(block(keyword(name, card(0), card(7, 9.81))), joinText("*", name, ": has one line; ", behind));
   refuseAlways(block("*INITIAL_STRESS_SOLID\n"), "*INITIAL_STRESS_SOLID: changes the tangent");
   refuseAlways(block("*SET_NODE_GENERAL\n"), "*SET_NODE_GENERAL: makes or changes nodes");
   refuseAlways(block(keyword("DAMPING_PART_STIFFNESS", card(1, 0.1))), "COEF = 0.1: a share of LS-DYNA's own measure");
