@@ -125,13 +125,12 @@ class DynaReader : DeckWriter {
     void (DynaReader::*read)();
     std::size_t most = 0;  // cards that the keyword has, of those that have a number of them
   };
-  static const Handler handlers[];
+  static const Handler handlers[], ofMaterials;
 
   void begin(const DeckLine& line) {
     keyword_ = keywords_.read(line);
     cards_.clear();
     handler_ = nullptr;
-    mostCards_ = 0;
     const std::string& name = keyword_.name;
     const bool ofMaterial = name.starts_with("MAT_") && !name.starts_with("MAT_ADD_");
     const DynaLawEntry* law = ofMaterial ? findDynaLaw(std::string_view(name).substr(4)) : nullptr;
@@ -145,13 +144,13 @@ class DynaReader : DeckWriter {
         return;
       }
     }
-    if (ofMaterial && (law != nullptr || rule->rule == DeckRule::harmless)) handler_ = &DynaReader::material;
+    if (ofMaterial && (law != nullptr || rule->rule == DeckRule::harmless)) handler_ = &ofMaterials;
     if (rule != nullptr && (rule->rule == DeckRule::mesh || rule->rule == DeckRule::taken ||
                             (rule->rule == DeckRule::takenInRun && forRun())))
       if (const auto* own =
               std::find_if(handlers, handlers + handlerCount, [&](const Handler& one) { return one.keyword == name; });
           own != handlers + handlerCount)
-        handler_ = own->read, mostCards_ = own->most;
+        handler_ = own;
     if (isStructure(name)) structures_.try_emplace(name, 0, line.position);
   }
   static bool isStructure(std::string_view name) {
@@ -167,12 +166,13 @@ class DynaReader : DeckWriter {
     }
   }
   void finishKeyword() {
-    if (handler_ != nullptr && mostCards_ > 0 && cardCount() > mostCards_ &&
-        !nothingFollows(cards_.size() - cardCount() + mostCards_))
-      lines_.failAt(card(mostCards_).position(),
+    if (handler_ == nullptr) return;
+    const std::size_t most = handler_->most;
+    if (most > 0 && cardCount() > most && !nothingFollows(cards_.size() - cardCount() + most))
+      lines_.failAt(card(most).position(),
                     fmt::format("*{}: has {}; what is behind it takes a keyword of its own", keyword_.name,
-                                mostCards_ == 1 ? "one line" : fmt::format("{} lines", mostCards_)));
-    if (handler_ != nullptr) (this->*handler_)();
+                                most == 1 ? "one line" : fmt::format("{} lines", most)));
+    (this->*handler_->read)();
     handler_ = nullptr;
   }
 
@@ -1156,8 +1156,8 @@ class DynaReader : DeckWriter {
   static const std::size_t handlerCount;
   detail::DynaKeywords keywords_;
   DynaKeyword keyword_;
-  std::vector<DeckLine> cards_;  // of the keyword
-  void (DynaReader::*handler_)() = nullptr;
+  std::vector<DeckLine> cards_;       // of the keyword
+  const Handler* handler_ = nullptr;  // of the keyword at hand
   std::map<std::int64_t, DynaPart> parts_;
   std::map<std::int64_t, std::int64_t> forms_;  // of *SECTION_SOLID
   std::map<std::int64_t, DynaHourglass> hourglasses_;
@@ -1189,7 +1189,6 @@ class DynaReader : DeckWriter {
   std::map<std::string, std::pair<std::int64_t, std::size_t>> structures_;  // keyword -> number, first position
   std::set<std::int64_t> partSets_;                                         // of any parts
   std::vector<bool> ofSolids_;                                              // of each node, once asked for
-  std::size_t mostCards_ = 0;                                               // of the keyword at hand; 0: any number
   int walls_ = 0, others_ = 0;
   double massDamping_ = 0, quadratic_ = usualQuadratic, linear_ = usualLinear;
   double end_ = 0, stepFactor_ = usualStepFactor, scaledStep_ = 0;
@@ -1239,6 +1238,7 @@ const DynaReader::Handler DynaReader::handlers[] = {
     {"CONTACT_SURFACE_TO_SURFACE", &DynaReader::contact},
     {"CONTACT_NODES_TO_SURFACE", &DynaReader::contact},
 };
+const DynaReader::Handler DynaReader::ofMaterials{"MAT", &DynaReader::material};
 const std::size_t DynaReader::handlerCount = std::size(handlers);
 
 }  // namespace
