@@ -5,10 +5,8 @@
 namespace ringwatch {
 namespace {
 
-struct AdviseCommand final : Command {
-  using Command::Command;
-  AdviseOptions options;
-  JsonOption json;
+struct AdviseCommand final : QuestionCommand<AdviseOptions, adviseScene> {
+  using QuestionCommand::QuestionCommand;
 
   CLI::App* declare(CLI::App& app) override {
     CLI::App* command =
@@ -33,12 +31,6 @@ struct AdviseCommand final : Command {
         "runs the scene with those that err little enough and are not much slower.\n" +
         std::string(unitsText) + "\n" + seeTopics("scene | handlers | integrators") + exitStatusHint);
     return command;
-  }
-
-  ExitStatus execute() override {
-    const AdviseResult result = adviseScene(options);
-    json.write(result.json, result.text);
-    return ExitStatus::done;
   }
 };
 

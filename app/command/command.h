@@ -125,6 +125,20 @@ void declareQuestion(CLI::App& command, Question& options, JsonOption& json) {
       ->check(CLI::Range(0, 4096));
 }
 
+/// A question that is asked of a scene before it runs, by `answer`, a function of its options.
+template <class Options, auto answer>
+struct QuestionCommand : Command {
+  using Command::Command;
+  Options options;
+  JsonOption json;
+
+  ExitStatus execute() override {
+    const auto result = answer(options);
+    json.write(result.json, result.text);
+    return ExitStatus::done;
+  }
+};
+
 /// Makes the folder of --out, unless it is there or none is wanted ("").
 void makeFolderOfPictures(const std::string& folder);
 /// Writes the pictures of a report into a folder.

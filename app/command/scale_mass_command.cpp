@@ -5,10 +5,8 @@
 namespace ringwatch {
 namespace {
 
-struct ScaleMassCommand final : Command {
-  using Command::Command;
-  ScaleMassOptions options;
-  JsonOption json;
+struct ScaleMassCommand final : QuestionCommand<ScaleMassOptions, planMass> {
+  using QuestionCommand::QuestionCommand;
 
   CLI::App* declare(CLI::App& app) override {
     CLI::App* command = app.add_subcommand("scale-mass", "say how little added mass a scene needs for a step");
@@ -17,12 +15,6 @@ struct ScaleMassCommand final : Command {
     command->footer("A run adds mass with handler.method = \"mass-scaling\", at the nodes that the handler chooses.\n" +
                     std::string(unitsText) + "\n" + seeTopics("scene | handlers") + exitStatusHint);
     return command;
-  }
-
-  ExitStatus execute() override {
-    const ScaleMassResult result = planMass(options);
-    json.write(result.json, result.text);
-    return ExitStatus::done;
   }
 };
 

@@ -6,10 +6,8 @@
 namespace ringwatch {
 namespace {
 
-struct SuggestCommand final : Command {
-  using Command::Command;
-  SuggestOptions options;
-  JsonOption json;
+struct SuggestCommand final : QuestionCommand<SuggestOptions, suggestSteps> {
+  using QuestionCommand::QuestionCommand;
   std::string stretch;
 
   CLI::App* declare(CLI::App& app) override {
@@ -26,9 +24,7 @@ struct SuggestCommand final : Command {
 
   ExitStatus execute() override {
     if (!stretch.empty()) options.stretch = parseStretchRange(stretch, "--stretch");
-    const SuggestResult result = suggestSteps(options);
-    json.write(result.json, result.text);
-    return ExitStatus::done;
+    return QuestionCommand::execute();
   }
 };
 
