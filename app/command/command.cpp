@@ -69,7 +69,7 @@ void JsonOption::save(const nlohmann::ordered_json& json) const {
 }
 
 void JsonOption::print(const nlohmann::ordered_json& json, const std::string& text) const {
-  printOut(takesStandardOutput() ? json.dump(2) + "\n" : text + conclusionLine(json));
+  printOut(takesStandardOutput() ? json.dump(2) + "\n" : text + conclusionLine(json["conclusion"]));
 }
 
 void JsonOption::write(const nlohmann::ordered_json& json, const std::string& text) const {

@@ -10,9 +10,7 @@ namespace ringwatch {
 
 using Json = nlohmann::ordered_json;
 
-std::string conclusionLine(const Json& json) {
-  return fmt::format("conclusion: {}\n", json["conclusion"].get<std::string>());
-}
+std::string conclusionLine(const std::string& conclusion) { return fmt::format("conclusion: {}\n", conclusion); }
 
 std::string_view programVersion() { return RINGWATCH_VERSION; }
 

@@ -27,8 +27,8 @@ nlohmann::ordered_json elementJson(const Mesh& mesh, const std::optional<Element
 std::string elementCounts(const ElementCounts& elements);
 std::string elementCounts(const Mesh& mesh);
 
-/// What the text of a command ends with, of its JSON.
-std::string conclusionLine(const nlohmann::ordered_json& json);
+/// What the text of a command ends with.
+std::string conclusionLine(const std::string& conclusion);
 
 /// Version of the program.
 std::string_view programVersion();

@@ -391,7 +391,7 @@ std::string summaryText(const Scene& scene, const Body& body, const RunResult& r
   std::string files;
   for (const std::string& file : result.files) files += (files.empty() ? "" : ", ") + file;
   return text + fmt::format("wrote to {}: {}\n", folder.string(), files) + page +
-         conclusionLine({{"conclusion", conclusionOf(scene, result)}});
+         conclusionLine(conclusionOf(scene, result));
 }
 
 }  // namespace ringwatch
