@@ -598,10 +598,10 @@ double RestBound::movedBound(const Region& region) const {
 }
 
 double RestBound::turnedBound(const Region& region) const {
-  constexpr std::size_t mostAround = 256;
-  Matrix3<double> motions[mostAround], mean = Matrix3<double>::zero();
+  thread_local std::vector<Matrix3<double>> motions;
+  Matrix3<double> mean = Matrix3<double>::zero();
   const std::size_t count = region.around.size();
-  if (count > mostAround) return infinity;
+  motions.resize(count);
   double apart2 = 0, added = 0;
   for (std::size_t k = 0; k < count; ++k) {
     const Motion& now = motions_[region.around[k]];
