@@ -92,7 +92,7 @@ struct StabilityMonitor::Impl {
         certified = bracket->certify(x, options.limit, *h, evaluation);
         bracketed = bracket->bracketed();
       } else {
-        bracket->evaluate(x, options.limit, h, evaluation);
+        bracket->evaluate(x, options.limit, options.stepFollows ? std::nullopt : h, evaluation);
       }
       if (!hadABracket && bracketed) {
         hadABracket = true;
@@ -109,7 +109,7 @@ struct StabilityMonitor::Impl {
         certified = bracket->last() && (!h || *h <= bracket->last()->safe);
       }
       // Where the step is not certified, the optimistic side decides between "not certified" and "violated".
-      if (!certified && h) bracket->sharpen(x, options.limit, *h);
+      if (!certified && h && !options.stepFollows) bracket->sharpen(x, options.limit, *h);
       const Work after = bracket->spent();
       for (std::size_t i = 0; i < worksOn; ++i)
         report.spent.of[i] = (after.of[i] - before.of[i]) / bracket->workOfStep();

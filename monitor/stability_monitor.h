@@ -48,6 +48,9 @@ struct MonitorOptions {
   /// Before so much is taken there is no limit in bodies of up to some 8000 tetrahedra or 1000 hexahedra, whose
   /// brackets would be wide for the sake of milliseconds; units of WorkAccount: some 0.2 s.
   double workInAdvance = 5e7;
+  /// The steps follow what is proven, so that a wide bracket costs more of them: what saves more work than it takes
+  /// goes beyond the budget, unless that is 0.
+  bool stepFollows = false;
   double energyTolerance = 0.1;  ///< balance error over the largest energy so far that is reported
   int clearObservations = 20;    ///< observations in a row without it that end an event; see EventTracker
   /// Where the step that is chosen lies between the sides of the first bracket, or none is chosen and the bracket is

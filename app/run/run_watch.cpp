@@ -54,6 +54,7 @@ void RunWatch::begin(Handler* handler, bool everyState) {
     wanted.budget = *scene_.budget;
     wanted.workInAdvance = 0;
   }
+  wanted.stepFollows = !scene_.step && !scene_.holdsStep && !handler_;
   constexpr double endless = 1e15;  // steps
   if (scene_.step)
     wanted.steps = static_cast<std::int64_t>(std::min(std::ceil(scene_.end / *scene_.step), endless)) /

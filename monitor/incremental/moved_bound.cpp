@@ -64,8 +64,8 @@ struct MovedBound::Pack {
   }
 };
 
-struct MovedBound::Seen {
-  P rounding;
+struct MovedBound::Found {
+  P rounding, determinant, negative;
   bool finite, lost;
 };
 
@@ -87,6 +87,11 @@ void MovedBound::prepare() {
                                                     : Motion::rotation;
     Elements own{ValidityBalls(block), ofBlock};
     own.rests.assign(places, ofBlock == Motion::none);
+    for (std::size_t place = 0; place < own.rests.size(); ++place) {
+      if (block.layout().elements[place] < 0) continue;
+      for (const std::int32_t node : block.nodesOf(block.layout().elements[place]))
+        if (isPartlyHeld(body_, node)) own.rests[place] = 1;
+    }
     own.anchor.resize(9 * points * places);
     own.motion.resize(9 * places);
     own.value.resize(places);
@@ -226,7 +231,7 @@ void MovedBound::move(NodeVectorsView x, Pack& pack, bool anchoring) {
   pack.geometric = geometric;
 }
 
-void MovedBound::visit(NodeVectorsView x, BatchRef at, bool anchoring, Seen& seen, Symmetric3<P>* change) {
+void MovedBound::visit(NodeVectorsView x, BatchRef at, bool anchoring, Found& found, Symmetric3<P>* change) {
   Elements& own = elements_[at.block];
   Pack pack = load(at);
   Symmetric3<P> before[maxElementNodes];
@@ -236,7 +241,7 @@ void MovedBound::visit(NodeVectorsView x, BatchRef at, bool anchoring, Seen& see
     for (int a = 0; a < of.nodes; ++a) size += of.tau() * of.c[a];
     return size;
   };
-  seen.rounding = sizeOf(pack);
+  found.rounding = sizeOf(pack);
   if (anchoring) {
     weights_.setWeightsOf(at.block, at.batch, before);
     double value[lanes];
@@ -252,16 +257,18 @@ void MovedBound::visit(NodeVectorsView x, BatchRef at, bool anchoring, Seen& see
   store(pack);
   P entries(0.0);  // not finite where one is not
   for (int i = 0; i < 9 * pack.points; ++i) entries += math::abs(P::load(pack.F.data() + i * lanes));
-  seen.finite = true;
-  seen.lost = false;
+  found.finite = true;
+  found.lost = false;
   for (int lane = 0; lane < lanes; ++lane) {
+    found.determinant.set(lane, pack.drift[lane].determinant);
+    found.negative.set(lane, pack.drift[lane].law.negative);
     if (pack.elements[lane] < 0) continue;
-    seen.lost |= !anchoring && lost[lane] != 0;
-    seen.finite &= std::isfinite(pack.value[lane]) && std::isfinite(entries[lane]);
+    found.lost |= !anchoring && lost[lane] != 0;
+    found.finite &= std::isfinite(pack.value[lane]) && std::isfinite(entries[lane]);
   }
   const Pack now = load(at);
   majorantsOf(now, change);
-  seen.rounding = P(majorantError) * (seen.rounding + sizeOf(now));
+  found.rounding = P(majorantError) * (found.rounding + sizeOf(now));
   for (int a = 0; a < pack.nodes; ++a)
     for (int c = 0; c < 6; ++c) change[a].m[c] -= before[a].m[c];
 }
@@ -279,7 +286,7 @@ void MovedBound::anchor(Pack& pack) {
 bool MovedBound::visit(NodeVectorsView x, std::span<const BatchRef> batches, bool anchoring) {
   if (batches.empty()) return true;
   const std::size_t together = std::min(batches.size(), batchesAtOnce);
-  std::vector<Seen> seen(together);
+  std::vector<Found> found(together);
   changes_.resize(together * static_cast<std::size_t>(body_.mostNodesOfAnElement()));
   const auto changeOf = [&](std::size_t k) {
     return changes_.data() + k * static_cast<std::size_t>(body_.mostNodesOfAnElement());
@@ -291,9 +298,9 @@ bool MovedBound::visit(NodeVectorsView x, std::span<const BatchRef> batches, boo
     const std::size_t end = std::min(batches.size(), begin + batchesAtOnce);
     parallelFor(
         begin, end, body_.threads(),
-        [&](std::int64_t k) { visit(x, batches[k], anchoring, seen[k - begin], changeOf(k - begin)); }, 8);
+        [&](std::int64_t k) { visit(x, batches[k], anchoring, found[k - begin], changeOf(k - begin)); }, 8);
     for (std::size_t k = begin; k < end; ++k) {
-      const Seen& one = seen[k - begin];
+      const Found& one = found[k - begin];
       const ElementBlock& block = *body_.blocks()[batches[k].block];
       const Symmetric3<P>* const change = changeOf(k - begin);
       if (!one.finite) {
@@ -305,6 +312,7 @@ bool MovedBound::visit(NodeVectorsView x, std::span<const BatchRef> batches, boo
           block.layout().elements.data() + static_cast<std::ptrdiff_t>(batches[k].batch) * lanes;
       for (int lane = 0; lane < lanes; ++lane) {
         if (elements[lane] < 0) continue;
+        seen_.push_back({{batches[k].block, elements[lane]}, one.determinant[lane], one.negative[lane]});
         const auto own = block.nodesOf(elements[lane]);
         for (std::size_t a = 0; a < own.size(); ++a) {
           Node& node = nodes_[own[a]];
@@ -464,11 +472,8 @@ void MovedBound::build(NodeVectorsView x, double wanted) {
   for (std::size_t b = 0; b < elements_.size(); ++b) {
     const ElementBlock& block = *body_.blocks()[b];
     Elements& own = elements_[b];
-    for (std::size_t place = 0; place < own.rests.size(); ++place) {
-      if (block.layout().elements[place] < 0) continue;
-      for (const std::int32_t node : block.nodesOf(block.layout().elements[place]))
-        if (isPartlyHeld(body_, node)) own.rests[place] = 1;
-    }
+    const std::size_t firstSeen = seen_.size();
+    seen_.resize(firstSeen + static_cast<std::size_t>(block.elementCount()));
     parallelFor(
         0, block.layout().batchCount(), body_.threads(),
         [&](std::int64_t batch) {
@@ -483,7 +488,10 @@ void MovedBound::build(NodeVectorsView x, double wanted) {
           own.balls.setReferenceGradients(pack.at.batch, pack.F.data());
           for (int lane = 0; lane < lanes; ++lane) {
             if (pack.elements[lane] < 0) continue;
-            pack.value.set(lane, weights_.value({pack.at.block, pack.elements[lane]}));
+            const ElementRef e{pack.at.block, pack.elements[lane]};
+            pack.value.set(lane, weights_.value(e));
+            seen_[firstSeen + static_cast<std::size_t>(e.element)] = {e, pack.drift[lane].determinant,
+                                                                      pack.drift[lane].law.negative};
           }
           store(pack);
         },
@@ -543,6 +551,7 @@ void MovedBound::followDiscreteForces(NodeVectorsView x) {
 
 UpperBound MovedBound::update(NodeVectorsView x, StepEvaluation* evaluation, double wanted) {
   statistics_ = {};
+  seen_.clear();
   rebuilds_.tick();
   if (bodyVersion_ != body_.version()) {
     bodyVersion_ = body_.version();
@@ -572,6 +581,11 @@ UpperBound MovedBound::update(NodeVectorsView x, StepEvaluation* evaluation, dou
   if (!visit(x, moved, false) || !visit(x, anchored, true)) return {bound_};
   findBound();
   return {bound_};
+}
+
+ElementRef MovedBound::highest() const {
+  const auto node = static_cast<std::int32_t>(std::max_element(whole_.begin(), whole_.end()) - whole_.begin());
+  return weights_.elementsAt({&node, 1}).front();
 }
 
 void MovedBound::findBound() { bound_ = (1 + motionRounding) * largestOf(whole_); }
@@ -605,18 +619,16 @@ UpperBound MovedBound::improve(NodeVectorsView x, double aim, std::int64_t most)
     if (own_[i] > least && own_[i] > (1 + policy_.risen) * nodes_[i].anchored) nodes.emplace_back(own_[i], -i);
   std::make_heap(nodes.begin(), nodes.end());
   std::vector<std::int32_t> chosen;
-  std::vector<BatchRef> batches;
+  std::set<BatchRef> batches;
   for (; !nodes.empty(); nodes.pop_back()) {
     std::pop_heap(nodes.begin(), nodes.end());
     const std::int32_t node = -nodes.back().second;
-    std::vector<BatchRef> more = batchesAt({&node, 1});
-    more.insert(more.end(), batches.begin(), batches.end());
-    sortUnique(more);
-    if (static_cast<std::int64_t>(lanes * more.size()) > most) break;
+    const std::vector<BatchRef> more = batchesAt({&node, 1});
+    if (!chosen.empty() && static_cast<std::int64_t>(lanes * (batches.size() + more.size())) > most) break;
     chosen.push_back(node);
-    batches = std::move(more);
+    batches.insert(more.begin(), more.end());
   }
-  if (chosen.empty() || !visit(x, batches, true)) return {bound_};
+  if (chosen.empty() || !visit(x, std::vector(batches.begin(), batches.end()), true)) return {bound_};
   for (const std::int32_t node : chosen) nodes_[node].anchored = own_[node];
   findBound();
   return {bound_};

@@ -10,6 +10,7 @@
 #include <ringwatch/base/short_floats.h>
 #include <ringwatch/monitor/bounds.h>
 #include <ringwatch/monitor/bounds/nodal_bound.h>
+#include <ringwatch/monitor/incremental/exchange_certificate.h>
 #include <ringwatch/monitor/incremental/moved_majorant.h>
 #include <ringwatch/monitor/incremental/outside_balls.h>
 #include <ringwatch/monitor/incremental/tangent_growth.h>
@@ -53,8 +54,8 @@ class MovedBound {
   /// in at x by the pass that tests the elements; its visitor is not used. wanted: an eigenvalue that is to be proven,
   /// rad²/s²: elements may come up to it.
   UpperBound update(NodeVectorsView x, StepEvaluation* evaluation = nullptr, double wanted = 0);
-  /// Lowers the bound at x, the positions of the last update, towards `aim`, rad²/s²: anchors the highest nodes anew,
-  /// by evaluations of at most `most` elements.
+  /// Lowers the bound at x, the positions of the last update, towards `aim`, rad²/s²: anchors the highest node
+  /// anew, and others by evaluations of at most `most` elements in all.
   UpperBound improve(NodeVectorsView x, double aim, std::int64_t most);
   /// Threshold mode: whether the highest eigenvalue at x is proven to be at most sigma, rad²/s².
   bool certify(NodeVectorsView x, double sigma, StepEvaluation* evaluation = nullptr);
@@ -66,6 +67,11 @@ class MovedBound {
     std::int64_t evaluated = 0, visited = 0, fitted = 0;
   };
   const Statistics& statistics() const { return statistics_; }
+  /// Elements that the last update() and what followed it evaluated or moved, with det F and -lambda_min(∂P/∂F) at
+  /// most: an element that inverts is among them.
+  const std::vector<ExchangeCertificate::Seen>& seen() const { return seen_; }
+  /// An element at the node where the bound is highest.
+  ElementRef highest() const;
 
   /// The largest relative excess of the proof's statements at x, from nothing but anchors, motions, weights and exact
   /// tangents: <= 0 when all hold, but for rounding. For tests.
@@ -73,10 +79,11 @@ class MovedBound {
 
   template <class Archive>
   void archive(Archive& a) {
-    a(eta_, started_, bound_, level_, room_, weights_, nodes_, own_, whole_, rebuilds_);
+    a(eta_, started_, bound_, level_, room_, weights_, nodes_, own_, whole_, rebuilds_, needed_, neededAt_);
     for (Elements& own : elements_)
       a(own.balls, own.anchor, own.motion, own.value, own.geometric, own.eta, own.uneven, own.negative, own.kappa,
         own.linear, own.quadratic, own.radius, own.inversionDistance, own.laplacian, own.counted);
+    marked_.resize(nodes_.size());
     archiveVersion(a, bodyVersion_, body_.version());
   }
 
@@ -91,7 +98,7 @@ class MovedBound {
   struct Elements {
     ValidityBalls balls;
     Motion motionOfBlock;
-    std::vector<std::uint8_t> rests = {};     // whether T = 1 whatever moves
+    std::vector<std::uint8_t> rests = {};     // whether T = 1 whatever moves: with components that are held too
     AlignedVector<std::int16_t> anchor = {};  // A_q, [batch][q][9][lane], in ValidityBalls' units
     AlignedVector<float> motion = {};         // T, [batch][9][lane]
     std::vector<RoundedUp<float>> value = {}, geometric = {};
@@ -125,9 +132,9 @@ class MovedBound {
   void majorantsOf(const Pack& pack, Symmetric3<P>* majorants) const;
   void move(NodeVectorsView x, Pack& pack, bool anchoring);
   void anchor(Pack& pack);
-  /// What a visit has seen of a batch: whether its elements are numbers and within what is known of their laws.
-  struct Seen;
-  void visit(NodeVectorsView x, BatchRef at, bool anchoring, Seen& seen, Symmetric3<P>* change);
+  /// What a visit has found of a batch: whether its elements are numbers and within what is known of their laws.
+  struct Found;
+  void visit(NodeVectorsView x, BatchRef at, bool anchoring, Found& found, Symmetric3<P>* change);
   /// Brings batches to their gradients at x; with `anchoring` by exact evaluations. False where something is not
   /// finite.
   bool visit(NodeVectorsView x, std::span<const BatchRef> batches, bool anchoring);
@@ -159,6 +166,7 @@ class MovedBound {
   bool started_ = false;
   std::int64_t bodyVersion_ = 0;  // that the proof is for
   Statistics statistics_;
+  std::vector<ExchangeCertificate::Seen> seen_;
   Backoff rebuilds_;
   OutsideBalls outside_;
   AlignedVector<Symmetric3<P>> changes_;  // of the sums at nodes, of batches that are visited together

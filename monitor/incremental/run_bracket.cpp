@@ -43,6 +43,7 @@ const std::optional<CriticalStep>& RunBracket::evaluate(NodeVectorsView x, const
   account_.earn(uncertified_);
   follow(x, limit, h, evaluation);
   observed_ = true;
+  ++observations_;
   return step_;
 }
 
@@ -80,15 +81,16 @@ const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const S
   const double ceiling = h ? limit.lambdaFor(*h) : infinity;
   adaptSlack();
   UpperBound nodal{infinity}, upper{infinity};
+  const bool moves = !h && follows(x, evaluation, upper);
   // Where means are short the weights rest while shares prove more than they did, and the step.
-  bool rests = account_.limited() && exchange_.serves() && !uncertified_;
-  if (rests) {
+  bool rests = moves || (account_.limited() && exchange_.serves() && !uncertified_);
+  if (rests && !moves) {
     upper = exchange_.update(x, nodal, evaluation);
     evaluation = nullptr;
     rests = upper.value < std::min(sigma, ceiling);
   }
   if (rests) {
-    nodal_.rest(exchange_.certificate().seen());
+    nodal_.rest(moves ? moved_->seen() : exchange_.certificate().seen());
     finite_ = true;
   } else {
     nodal_.spare(exchange_.serves());
@@ -117,12 +119,16 @@ const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const S
       lower = higher(lower, whole);
     }
     lower = boundWhereItRose(x, sigma, lower);
+    if (moves && affords(WorkAccount::ofRing(*body_.blocks()[moved_->highest().block])) &&
+        examineRing(x, moved_->highest(), lower))
+      local_.choose(mode_, localNodes_);
     forVerdict_ = uncertified_;
     lower = boundWhereItTouches(x, lower);
     forVerdict_ = false;
   }
   // A bracket that is too wide is either side's fault: bound it from below again before moving the upper side.
-  const bool wide = upper.value > nodal_.highest(lower, width_);
+  const double highest = moves ? (1 + width_) * (1 + width_) * lower.value : nodal_.highest(lower, width_);
+  const bool wide = upper.value > highest;
   if (wide) restart_.tick();
   if (first || ((rebuilt || (wide && restart_.due())) && affords(workOfRestart()))) {
     const double before = lower.value;
@@ -135,18 +141,26 @@ const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const S
     nodal_.relaxBound(lower, width_, ceiling);
     nodal.value = std::max(nodal.value, nodal_.certifiedEigenvalue());
   }
-  upper.value = std::min(nodal.value, exchange_.narrow(x, nodal, nodal_.takeTight(), mode_, lower, width_).value);
+  if (!moves)
+    upper.value = std::min(nodal.value, exchange_.narrow(x, nodal, nodal_.takeTight(), mode_, lower, width_).value);
   if (!rests && upper.value > nodal_.highest(lower, width_) && nodal_.tightenBound(x, lower, width_)) {
     statistics_.evaluated += nodal_.statistics().evaluated;
     nodal = nodal_.update(x);
     upper.value = std::min(upper.value, nodal.value);
     statistics_.evaluated += nodal_.statistics().evaluated;
   }
-  statistics_.evaluated += exchange_.evaluated();
+  if (moves)
+    statistics_.evaluated += moved_->statistics().evaluated;
+  else
+    statistics_.evaluated += exchange_.evaluated();
+  if (!moves && !h && account_.incomeForMode() > 0)
+    gain_ += std::max(std::sqrt(upper.value / lower.value) - 1, 0.0) * workOfStepBesideMoved();
   step_ = CriticalStep{safeStep(upper, limit),
                        optimisticOf(lower, limit),
                        local_.highestElement(),
-                       upper.value < nodal.value ? "incremental-exchange-bound" : "incremental-nodal-bound",
+                       moves                       ? "moved-nodal-bound"
+                       : upper.value < nodal.value ? "incremental-exchange-bound"
+                                                   : "incremental-nodal-bound",
                        method_,
                        lowestHere_.value,
                        lowestHere_.element};
@@ -155,6 +169,39 @@ const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const S
   nodal_.noteFrom(lower);
   if (!step_->isBracket()) step_.reset();
   return step_;
+}
+
+bool RunBracket::follows(NodeVectorsView x, StepEvaluation*& evaluation, UpperBound& upper) {
+  const double start = WorkAccount::ofRebuild(body_), enough = (1 + width_) * (1 + width_) * local_.last().value;
+  const bool starts = !moved_;
+  if (starts) {
+    if (gain_ < start) return false;
+    moved_.emplace(body_);
+  }
+  upper = moved_->update(x, evaluation);
+  evaluation = nullptr;
+  // Evaluations take as much again, at most, as the step that is shorter for a bound above what is wanted.
+  const double lost = (std::sqrt(upper.value / enough) - 1) * workOfStepBesideMoved(),
+               all = static_cast<double>(body_.mesh().elementCount());
+  if (lost > 0)
+    upper = moved_->improve(x, enough,
+                            static_cast<std::int64_t>(all * std::min(lost / WorkAccount::ofEvaluation(body_), 1.0)));
+  const double work = WorkAccount::ofMotion(body_, moved_->statistics().evaluated, moved_->statistics().visited);
+  spent_[WorkOn::evaluations] += work;
+  ofMoved_ += work;
+  // The weights, which rest, have proven that last. Of steps that become shorter it takes more.
+  const double longer = std::sqrt(nodal_.certifiedEigenvalue() / upper.value),
+               saved = (longer > 1 ? longer - 1 : 1 - 1 / longer) * workOfStepBesideMoved();
+  gain_ = starts ? start : std::min(gain_ + saved - work, start);
+  if (upper.value < infinity && gain_ > 0) return true;
+  moved_.reset();
+  gain_ = 0;
+  return false;
+}
+
+double RunBracket::workOfStepBesideMoved() const {
+  return account_.force() +
+         (spent().total() - ofMoved_) / static_cast<double>(std::max<std::int64_t>(observations_, 1));
 }
 
 bool RunBracket::certify(NodeVectorsView x, const StepRule& limit, double h, StepEvaluation* evaluation) {

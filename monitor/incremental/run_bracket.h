@@ -12,6 +12,7 @@
 #include <ringwatch/monitor/bounds/stiff_nodes.h>
 #include <ringwatch/monitor/incremental/incremental_exchange_bound.h>
 #include <ringwatch/monitor/incremental/incremental_nodal_bound.h>
+#include <ringwatch/monitor/incremental/moved_bound.h>
 #include <ringwatch/monitor/step_limit.h>
 
 namespace ringwatch {
@@ -139,13 +140,24 @@ class RunBracket {
     a(slack_, account_, spent_, observed_, atShares_, uncertified_, nodal_, exchange_, local_, localNodes_,
       regionBound_, own_, softest_, mode_, method_, statistics_, bracketed_, finite_, cheapest_, sharpening_,
       sharpeningRestart_, searchesNext_, wholeMode_, restart_, search_, examination_, lowest_, nextCompressed_, least_,
-      searchedAt_, step_, best_, bestAt_);
+      searchedAt_, step_, best_, bestAt_, gain_, ofMoved_, observations_);
+    bool moves = moved_.has_value();
+    a(moves);
+    if (!moves) moved_.reset();
+    if (moves && !moved_) moved_.emplace(body_);
+    if (moves) a(*moved_);
     archiveVersion(a, bestVersion_, body_.version());
   }
 
  private:
   const std::optional<CriticalStep>& follow(NodeVectorsView x, const StepRule& limit, std::optional<double> h,
                                             StepEvaluation* evaluation);
+  /// Where the step follows the bracket: whether the moved bound serves as the upper side, which is what it then
+  /// proves. It is started once a wide bracket has cost as much as that takes, in steps that were shorter than they
+  /// could be, and given up when it takes more than it saves. `evaluation` is filled in, and becomes nullptr.
+  bool follows(NodeVectorsView x, StepEvaluation*& evaluation, UpperBound& upper);
+  /// What a step takes beside the moved bound, on average.
+  double workOfStepBesideMoved() const;
   /// Threshold mode: proves sigma by shares, where the weights do not, or hardly, at the first observation, and later
   /// once all has taken as much work since shares were made last as making some does: so at most about twice the least
   /// is spent.
@@ -206,6 +218,11 @@ class RunBracket {
   bool forVerdict_ = false;   // what is done now is for the verdict
   IncrementalNodalBound nodal_;
   IncrementalExchangeBound exchange_;
+  std::optional<MovedBound> moved_;  // while it serves
+  /// In WorkAccount's units. gain_: what shorter steps than they could be have cost while it does not serve; what it
+  /// has saved, while it does. A step saves its force, and the rest of what the monitor does for one.
+  double gain_ = 0, ofMoved_ = 0;
+  std::int64_t observations_ = 0;
   LocalMode local_, scout_;
   StiffNodes stiff_;
   std::size_t localNodes_;

@@ -167,6 +167,12 @@ class WorkAccount {
     }
     return unitsOfContactNode * static_cast<double>(nodes);
   }
+  /// An update of a MovedBound that evaluates and moves so many elements, with the sums at their nodes.
+  static double ofMotion(const Body& body, std::int64_t evaluated, std::int64_t moved) {
+    return forcesOfTests * ofForce(body) +
+           (static_cast<double>(evaluated) + evaluationsOfMotion * static_cast<double>(moved)) * ofEvaluation(body) /
+               elements(body);
+  }
   /// The diagonal of the tangents of all elements.
   static double ofDiagonal(const Body& body) { return evaluationsOfTangent * ofEvaluation(body); }
   /// A reduced ring, with its eigenvectors and the tangents of the elements around; all of them together, without.
@@ -286,6 +292,8 @@ class WorkAccount {
   static constexpr Singles evaluationOfSingles{
       .first = 2000, .firstPoint = 550, .pack = 600, .packPoint = 0, .each = 60, .eachPoint = 40},
       growthOfSingles{.first = 1600, .firstPoint = 130, .pack = 320, .packPoint = 110, .each = 20, .eachPoint = 25};
+  // Of MovedBound with bars of 1600 and 100 000 tetrahedra.
+  static constexpr double forcesOfTests = 0.08, evaluationsOfMotion = 2;
   static constexpr double unitsOfRing = 12000, unitsOfEigenvectors = 1.2, unitsOfRegion = 1000;
   static constexpr double evaluationsOfDecomposition = 2.8, evaluationsOfFactorisation = 2.8;
   static constexpr double evaluationsOfShares = 26, evaluationsOfIteration = 4.7;
