@@ -286,6 +286,8 @@ def stretch_of(F):
     middle = lambda a: Interval((a.low + a.high) // 2, (a.low + a.high) // 2)  # noqa: E731
     for _ in range(40):  # Newton's iteration for the rotation
         R = [[middle(a) for a in row] for row in combined((half, R), (half, inverse_transposed(R)[0]))]
+        if any(abs(a.low) > ONE * ONE for row in R for a in row):  # where F is flat to rounding it grows and grows
+            raise NotProven("a stretch is not found")
     V = product(transposed(R), F)
     V = [[middle(half * (V[i][j] + V[j][i])) for j in range(3)] for i in range(3)]
     off = combined((exact(1), C), (exact(-1), product(V, V)))
