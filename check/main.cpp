@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <fstream>
-#include <iterator>
+#include <sstream>
 #include <string>
 
 #include "proof.h"
@@ -96,13 +96,13 @@ int main(int argc, char** argv) {
     return 2;
   }
   std::ifstream stream(file, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  if (!stream) {
-    std::fprintf(stderr, "ringwatch-check: %s: cannot read\n", file.c_str());
+  std::ostringstream bytes;
+  if (!stream || !(bytes << stream.rdbuf())) {  // a folder can be opened, not read
+    std::fprintf(stderr, "ringwatch-check: %s: cannot be read, or is empty\n", file.c_str());
     return 2;
   }
   const std::clock_t begin = std::clock();
-  const check::Verdict verdict = check::verify(bytes);
+  const check::Verdict verdict = check::verify(bytes.str());
   const double time = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
   if (verdict.status != check::Verdict::Status::proven) {
     const bool read = verdict.status == check::Verdict::Status::notProven;

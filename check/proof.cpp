@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <map>
@@ -29,37 +30,40 @@ struct Unproven : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Takes words and numbers from the file, one after the other.
+/// Takes words and numbers from the file, one after the other. There is one way to write each of them.
 class Reader {
  public:
   explicit Reader(const std::string& bytes) : bytes_(bytes) {}
 
-  /// The next word of the header.
-  std::string word() {
-    const std::size_t end = bytes_.find_first_of(" \n", at_);
+  /// The next word of the header: all up to a blank, or up to the end of the line.
+  std::string word(char until = ' ') {
+    const std::size_t end = bytes_.find(until, at_);
     if (end == std::string::npos || end - at_ > 60) throw Unreadable("its header is damaged");
     const std::string next = bytes_.substr(at_, end - at_);
     at_ = end + 1;
     return next;
   }
-  Reader& expect(const std::string& name) {
-    if (const std::string next = word(); next != name)
+  Reader& expect(const std::string& name, char until = ' ') {
+    if (const std::string next = word(until); next != name)
       throw Unreadable("\"" + next + "\" in place of \"" + name + "\"");
     return *this;
   }
-  double number() {
-    const std::string next = word();
-    char* end = nullptr;
-    const double value = std::strtod(next.c_str(), &end);
-    if (next.empty() || *end != 0 || !std::isfinite(value)) throw Unreadable("\"" + next + "\" is not a number");
+  double number(char until = ' ') { return numberOf(word(until)); }
+  static double numberOf(const std::string& word) {
+    const double value = std::strtod(word.c_str(), nullptr);
+    char text[40];
+    std::snprintf(text, sizeof text, "%a", value);
+    if (word != text || !std::isfinite(value) || word == "-0x0p+0")
+      throw Unreadable("\"" + word + "\" is not a number as %a prints it");
     return value;
   }
-  /// A number of things that take at least `size` bytes each of what is left.
-  std::size_t count(std::size_t size) {
-    const double value = number();
-    if (!(value >= 0 && value * static_cast<double>(size) <= static_cast<double>(left()) && value == std::floor(value)))
-      throw Unreadable("it ends too early");
-    return static_cast<std::size_t>(value);
+  /// A positive number of things that take at least `size` bytes each of what is left.
+  std::size_t count(std::size_t size, char until = ' ') {
+    const std::string next = word(until);
+    const std::size_t value = std::strtoull(next.c_str(), nullptr, 10);
+    if (value == 0 || next != std::to_string(value)) throw Unreadable("\"" + next + "\" is not a number of things");
+    if (value > left() / size) throw Unreadable("it ends too early");
+    return value;
   }
   template <class T>
   void take(T* to, std::size_t many) {
@@ -94,15 +98,26 @@ struct Node {
   int row[3];          // of its free components in sigma M - K
   double mass() const { return numbers[6]; }
   bool free(int c) const { return (held >> c & 1) == 0; }
-  Ball u(int c) const { return free(c) ? numbers[7 + c] : 0; }
+  double u(int c) const { return numbers[7 + c]; }
 };
 
-/// Entry (i, j) of a row, j <= i, which begins there at the latest from now on.
-Ball& entryOf(std::vector<Ball>& row, int i, int j) {
-  const std::size_t length = i - j + 1;
-  if (row.size() < length) row.insert(row.begin(), length - row.size(), Ball());
-  return row[row.size() - length];
-}
+/// The matrix sigma M - K of a body.
+struct Whole {
+  Rows rows;
+  double products = 0;  // of its factorisation
+
+  /// Entry (i, j), j <= i. Its row begins there at the latest from now on.
+  Ball& entry(int i, int j) {
+    std::vector<Ball>& row = rows[i];
+    const std::size_t length = i - j + 1, before = row.size();
+    if (before < length) {
+      products += 0.5 * static_cast<double>(length * length - before * before);
+      if (products > mostProducts) throw Unproven("it is too large: a factorisation takes more than 2e10 products");
+      row.insert(row.begin(), length - before, Ball());
+    }
+    return row[row.size() - length];
+  }
+};
 
 /// The matrices G_e of elements that exchange stiffness: numbers of unit / 2^30 sqrt(m_a m_b).
 struct Exchange {
@@ -113,7 +128,7 @@ struct Exchange {
 
 /// What proves the upper side, beside the file's own numbers of elements; neither: weights and allowances.
 struct UpperSide {
-  Rows* whole = nullptr;
+  Whole* whole = nullptr;
   Exchange* exchange = nullptr;
 };
 
@@ -122,6 +137,10 @@ Rows takeExchanged(Reader& file, std::vector<Node>& nodes, const std::int32_t* o
                    const Square& K, Exchange& exchange) {
   std::vector<std::int32_t> numbers(static_cast<std::size_t>(K.size) * (static_cast<std::size_t>(K.size) + 1) / 2);
   file.take(numbers.data(), numbers.size());
+  for (int r = 0, k = 0; r < K.size; ++r)
+    for (int s = 0; s <= r; ++s, ++k)
+      if (numbers[k] != 0 && !(nodes[own[r / 3]].free(r % 3) && nodes[own[s / 3]].free(s % 3)))
+        throw Unproven("its exchanged matrix is not zero where a component is held");
   const Ball unit = Ball(exchange.unit) / Ball(numbersOfUnit);
   Rows rest;
   for (const int r : free) {
@@ -185,9 +204,9 @@ void proveElement(const Kind& kind, Reader& file, std::vector<Node>& nodes, cons
   for (const int r : free)
     for (const int s : free) {
       const Node &at = nodes[own[r / 3]], &other = nodes[own[s / 3]];
-      form += at.u(r % 3) * K(r, s) * other.u(s % 3);
+      form += Ball(at.u(r % 3)) * K(r, s) * Ball(other.u(s % 3));
       const int i = at.row[r % 3], j = other.row[s % 3];
-      if (upper.whole && j <= i) entryOf((*upper.whole)[i], i, j) += Ball(0.0) - K(r, s);
+      if (upper.whole && j <= i) upper.whole->entry(i, j) += Ball(0.0) - K(r, s);
     }
   if (upper.whole) return;
   if (upper.exchange) {
@@ -206,7 +225,10 @@ void proveElement(const Kind& kind, Reader& file, std::vector<Node>& nodes, cons
     Matrix L;
     for (std::size_t k = 0; k < 6; ++k) {
       const double w = weights[6 * a + k];
-      L[corner[k] / 3][corner[k] % 3] = Ball(w * std::abs(w)) / Ball(32767.0 * 32767.0);
+      const int row = corner[k] / 3;
+      if (k < 3 && w < 0) throw Unproven("a diagonal number of its weights is negative");
+      if (w != 0 && !nodes[own[a]].free(row)) throw Unproven("its weights are not zero where a component is held");
+      L[row][corner[k] % 3] = Ball(w * std::abs(w)) / Ball(32767.0 * 32767.0);
     }
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) {
@@ -244,14 +266,6 @@ void proveExchange(const Exchange& exchange) {
                        ": what their elements exchange does not add up to nothing");
 }
 
-/// That the whole matrix, sigma M - K, is positive definite.
-void proveWhole(Rows& whole) {
-  double products = 0;
-  for (const std::vector<Ball>& row : whole) products += 0.5 * static_cast<double>(row.size() * row.size());
-  if (products > mostProducts) throw Unproven("it is too large: a factorisation takes more than 2e10 products");
-  if (!positiveDefinite(whole)) throw Unproven("sigma M - K is not positive definite");
-}
-
 /// The last eight bytes are FNV-1a of all others, which finds every change of a single byte.
 void testChecksum(const std::string& bytes) {
   std::uint64_t stored = 0;
@@ -266,19 +280,20 @@ void testChecksum(const std::string& bytes) {
 void prove(const std::string& bytes, Verdict& verdict, std::string& place) {
   testChecksum(bytes);
   Reader file(bytes);
-  if (file.expect("ringwatch-certificate").number() != 2) throw Unreadable("its version is not 2");
-  const std::string proof = file.expect("proof").word();
-  const bool factored = proof == "factorisation", exchanged = proof == "exchange-bound";
+  if (file.expect("ringwatch-certificate").word('\n') != "2") throw Unreadable("its version is not 2");
+  const std::string proof = file.expect("proof").word('\n'), withUnit = "exchange-bound ";
+  const bool factored = proof == "factorisation", exchanged = proof.starts_with(withUnit);
   if (!factored && !exchanged && proof != "nodal-bound") throw Unreadable("proof \"" + proof + "\" is not known");
-  Exchange exchange{exchanged ? file.number() : 0, {}};
-  std::vector<Node> nodes(file.expect("nodes").count(81));
+  Exchange exchange{exchanged ? Reader::numberOf(proof.substr(withUnit.size())) : 0, {}};
+  if (exchange.unit < 0) throw Unreadable("its unit is negative");
+  std::vector<Node> nodes(file.expect("nodes").count(81, '\n'));
   verdict.nodes = static_cast<std::int64_t>(nodes.size());
-  verdict.sigma = file.expect("sigma").number();
-  verdict.lower = file.expect("lower").number();
+  verdict.sigma = file.expect("sigma").number('\n');
+  verdict.lower = file.expect("lower").number('\n');
   if (verdict.sigma < 0 || verdict.lower < 0) throw Unproven("sigma or lower is negative");
   if (verdict.sigma == 0 && verdict.lower == 0) throw Unproven("it claims nothing");
   std::vector<Kind>& kinds = verdict.kinds;
-  kinds.resize(file.expect("kinds").count(20));
+  kinds.resize(file.expect("kinds").count(20, '\n'));
   std::vector<std::size_t>& elements = verdict.elementsOf;
   for (Kind& kind : kinds) {
     kind.element = file.expect("kind").word();
@@ -288,15 +303,15 @@ void prove(const std::string& bytes, Verdict& verdict, std::string& place) {
     elements.push_back(file.count(16));
     for (double* constant : {&kind.lambda, &kind.mu, &kind.pointLambda, &kind.pointMu, &kind.meanLambda, &kind.meanMu})
       *constant = file.number();
-    kind.points.resize(file.count(10));
+    kind.points.resize(file.count(10, '\n'));
     for (auto& point : kind.points) {
       file.expect("point");
-      for (double& coordinate : point) coordinate = file.number();
+      for (double& number : point) number = file.number(&number == &point.back() ? '\n' : ' ');
     }
   }
-  file.expect("end");
+  file.expect("end", '\n');
   Ball form, mass;
-  Rows whole;
+  Whole whole;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     place = "node " + std::to_string(i) + ": ";
     file.take(nodes[i].numbers, 10);
@@ -304,6 +319,7 @@ void prove(const std::string& bytes, Verdict& verdict, std::string& place) {
     for (const double number : nodes[i].numbers)
       if (!std::isfinite(number)) throw Unproven("a number is not finite");
     if (!(nodes[i].mass() > 0)) throw Unproven("its mass is not positive");
+    if (nodes[i].held >> 3 != 0) throw Unproven("its held components are others than x, y and z");
     verdict.mass += nodes[i].mass();
     for (int c = 0; c < 3; ++c) {
       const double X = nodes[i].numbers[c];
@@ -311,9 +327,11 @@ void prove(const std::string& bytes, Verdict& verdict, std::string& place) {
       verdict.largest[c] = i == 0 ? X : std::max(verdict.largest[c], X);
       verdict.displaced = std::max(verdict.displaced, std::abs(nodes[i].numbers[3 + c] - X));
       verdict.held[c] += nodes[i].free(c) ? 0 : 1;
-      mass += Ball(nodes[i].mass()) * nodes[i].u(c) * nodes[i].u(c);
-      nodes[i].row[c] = static_cast<int>(whole.size());
-      if (factored && nodes[i].free(c)) whole.push_back({Ball(verdict.sigma) * Ball(nodes[i].mass())});
+      if (std::bit_cast<std::uint64_t>(nodes[i].u(c)) != 0 && (verdict.lower == 0 || !nodes[i].free(c)))
+        throw Unproven("its vector is not zero where it proves nothing");
+      mass += Ball(nodes[i].mass()) * Ball(nodes[i].u(c)) * Ball(nodes[i].u(c));
+      nodes[i].row[c] = static_cast<int>(whole.rows.size());
+      if (factored && nodes[i].free(c)) whole.rows.push_back({Ball(verdict.sigma) * Ball(nodes[i].mass())});
     }
   }
   for (std::size_t k = 0; k < kinds.size(); ++k)
@@ -329,7 +347,8 @@ void prove(const std::string& bytes, Verdict& verdict, std::string& place) {
   }
   place = "upper side: ";
   proveExchange(exchange);
-  if (factored && verdict.sigma != 0) proveWhole(whole);
+  if (factored && verdict.sigma != 0 && !positiveDefinite(whole.rows))
+    throw Unproven("sigma M - K is not positive definite");
   place = "lower side: ";
   if (verdict.lower > 0 && !(form - Ball(verdict.lower) * mass).positive())
     throw Unproven("the vector does not reach it");

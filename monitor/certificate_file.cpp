@@ -181,7 +181,9 @@ Bytes beginFile(const Body& body, const NodeVectors& x, const Certificate& certi
     bytes.add(body.mesh().X.col(i).data(), 3);
     bytes.add(x.col(i).data(), 3);
     bytes.add(&body.lumpedMass()[i], 1);
-    bytes.add(u.col(i).data(), 3);
+    // Of a vector that proves nothing there is nothing in the file.
+    const Eigen::Vector3d own = certificate.lower.value > 0 ? Eigen::Vector3d(u.col(i)) : Eigen::Vector3d::Zero();
+    bytes.add(own.data(), 3);
     const std::uint8_t held = heldComponents(body, i);
     bytes.add(&held, 1);
   }
@@ -199,7 +201,10 @@ void addWeights(Bytes& bytes, const Body& body, const NodalBound& weights) {
       bytes.add(nodes.data(), nodes.size());
       bytes.add(&allowance, 1);
       for (std::size_t a = 0; a < nodes.size(); ++a) {
-        const NodalBound::Factor L = weights.factor(weights.incidenceOf(element, static_cast<int>(a)));
+        NodalBound::Factor L = weights.factor(weights.incidenceOf(element, static_cast<int>(a)));
+        constexpr int rowOf[] = {0, 1, 2, 2, 2, 1};  // of 00, 11, 22, 21, 20, 10
+        for (std::size_t k = 0; k < L.size(); ++k)
+          if (body.constraints().isConstrained(nodes[a], rowOf[k])) L[k] = {};
         static_assert(sizeof L == 6 * sizeof(std::int16_t));
         bytes.add(L.data(), L.size());
       }

@@ -27,6 +27,8 @@ expect 1 "$checker" bar.certificate --expect 0123456789abcdef
 [[ $out == *"PROVEN OF ANOTHER BODY"* ]] || fail "$out"
 for hash in "" 12 "${body}0" 0123456789abcdeg; do expect 2 "$checker" --expect "$hash" bar.certificate; done
 expect 2 "$checker" --expect "$body"
+expect 2 "$checker" .
+[[ $out == "ringwatch-check: .: cannot be read, or is empty" ]] || fail "$out"
 other() { # OPTION VALUE: the hash of the body, with that option in place of its own
   local -A options=([--young]=30e3 [--poisson]=0.3 [--density]=1000 [--fix]="x < 1e-6")
   local given=() option

@@ -286,6 +286,8 @@ def stretch_of(F):
     middle = lambda a: Interval((a.low + a.high) // 2, (a.low + a.high) // 2)  # noqa: E731
     for _ in range(40):  # Newton's iteration for the rotation
         R = [[middle(a) for a in row] for row in combined((half, R), (half, inverse_transposed(R)[0]))]
+        if any(abs(a.low) > ONE * ONE for row in R for a in row):  # where F is flat to rounding it grows and grows
+            raise NotProven("a stretch is not found")
     V = product(transposed(R), F)
     V = [[middle(half * (V[i][j] + V[j][i])) for j in range(3)] for i in range(3)]
     off = combined((exact(1), C), (exact(-1), product(V, V)))
@@ -358,17 +360,15 @@ def element_tangent(kind, X, x):
 
 
 # The file.
-NUMBER = re.compile(rb"[-+]?(0x[0-9a-f.]+p[-+]?[0-9]+|[0-9.]+(e[-+]?[0-9]+)?)", re.IGNORECASE)
-
-
 def number(word):
-    if not NUMBER.fullmatch(word):
-        raise NotACertificate(f"{word!r} is no number")
+    """As %a prints it, and in no other way."""
     try:
-        value = float.fromhex(word.decode()) if b"x" in word.lower() else float(word)
+        value = finite(float.fromhex(word.decode("latin-1")))
     except (ValueError, OverflowError) as fault:
         raise NotACertificate(f"{word!r} is no number") from fault
-    return finite(value)
+    if re.sub(r"\.?0*p", "p", value.hex()).encode() != word or word == b"-0x0p+0":
+        raise NotACertificate(f"{word!r} is not how {value} is written")
+    return value
 
 
 def finite(value):
@@ -377,8 +377,8 @@ def finite(value):
     return value
 
 
-def count(word, least):
-    if not re.fullmatch(rb"[0-9]{1,10}", word) or int(word) < least:
+def count(word):
+    if not re.fullmatch(rb"[1-9][0-9]{0,9}", word):
         raise NotACertificate(f"{word!r} is no number of things")
     return int(word)
 
@@ -420,18 +420,18 @@ def read(data):
     result = {"proof": proof[0].decode("latin-1"), "unit": number(proof[1]) if len(proof) == 2 else None}
     if result["proof"] not in ("nodal-bound", "factorisation", "exchange-bound") or (len(proof) == 2) != (proof[0] == b"exchange-bound"):
         raise NotACertificate("an unknown proof")
-    nodes = count(reader.line(b"nodes", [1])[0], 1)
+    nodes = count(reader.line(b"nodes", [1])[0])
     result["sigma"], result["lower"] = (number(reader.line(key, [1])[0]) for key in (b"sigma", b"lower"))
     if result["sigma"] < 0 or result["lower"] < 0 or (result["unit"] or 1) <= 0:
         raise NotACertificate("a bound is negative")
     kinds = []
-    for _ in range(count(reader.line(b"kinds", [1])[0], 1)):
+    for _ in range(count(reader.line(b"kinds", [1])[0])):
         element, law, *words = (word.decode("latin-1") for word in reader.line(b"kind", [10]))
         if element not in ELEMENTS or law not in LAWS:
             raise NotACertificate(f"no certificates of {element} of {law}")
-        kind = {"element": element, "law": law, "count": count(words[0].encode(), 1), "points": [],
+        kind = {"element": element, "law": law, "count": count(words[0].encode()), "points": [],
                 "constants": tuple(number(word.encode()) for word in words[1:7])}
-        for _ in range(count(words[7].encode(), 1)):
+        for _ in range(count(words[7].encode())):
             *point, weight = (number(word) for word in reader.line(b"point", [4]))
             try:
                 kind["points"].append((natural_gradients(element, point), weight))
@@ -442,10 +442,11 @@ def read(data):
     result["nodes"] = []
     for _ in range(nodes):
         *values, held = reader.numbers("10dB")
-        if values[6] <= 0 or not all(map(math.isfinite, values)):
+        unused = [i for i in range(3) if held >> i & 1 or result["lower"] == 0]
+        if values[6] <= 0 or not all(map(math.isfinite, values)) or held > 7 or any(struct.pack("<d", values[7 + i]) != bytes(8) for i in unused):
             raise NotACertificate("a node is none")
         result["nodes"].append({"X": [exact(v) for v in values[:3]], "x": [exact(v) for v in values[3:6]], "mass": exact(values[6]),
-                                "u": [ZERO if held >> i & 1 else exact(v) for i, v in enumerate(values[7:])], "free": [i for i in range(3) if not held >> i & 1]})
+                                "u": [exact(v) for v in values[7:]], "free": [i for i in range(3) if not held >> i & 1]})
     result["elements"] = []
     for kind in kinds:
         n = ELEMENTS[kind["element"]][1]
@@ -456,8 +457,16 @@ def read(data):
             if result["proof"] == "nodal-bound":
                 entry["allowance"], *entry["weights"] = reader.numbers(f"d{6 * n}h")
                 finite(entry["allowance"])
+                finite(entry["allowance"])
+                rows = [(i, 0, 1, 2, 2, 2, 1) for i in entry["nodes"]]
+                for (i, *of_factor), *L in zip(rows, *[iter(entry["weights"])] * 6):
+                    if min(L[:3]) < 0 or any(w for w, row in zip(L, of_factor) if row not in result["nodes"][i]["free"]):
+                        raise NotACertificate("a weight is negative, or is of a component that is held")
             elif result["proof"] == "exchange-bound":
                 entry["shares"] = reader.numbers(f"{3 * n * (3 * n + 1) // 2}i")
+                free = [c in result["nodes"][i]["free"] for i in entry["nodes"] for c in range(3)]
+                if any(g for g, (i, j) in zip(entry["shares"], ((i, j) for i in range(3 * n) for j in range(i + 1))) if not (free[i] and free[j])):
+                    raise NotACertificate("a share is of a component that is held")
             result["elements"].append(entry)
     if reader.at != len(reader.data):
         raise NotACertificate("something is behind its end")
