@@ -355,7 +355,8 @@ std::string summaryText(const Scene& scene, const Body& body, const RunResult& r
                 : fmt::format("steps {:.6g} to {:.6g} s, ", result.smallestStep, result.largestStep);
   text += fmt::format("verdict {}", result.verdict());
   if (result.watchedSteps > 0)
-    text += fmt::format(", certified at {} of {} steps{}", result.certifiedSteps, result.watchedSteps,
+    text += fmt::format(", certified at {} of {} steps{}{}", result.certifiedSteps, result.watchedSteps,
+                        result.happened(EventKind::indefinite) ? " for the highest frequency alone" : "",
                         scene.every > 1 ? fmt::format(", of which one in {} is observed", scene.every) : "");
   if (result.repeats && result.repeats->count > 0)
     text += fmt::format(", after going back {} time{}, by {} steps", result.repeats->count,
