@@ -91,7 +91,7 @@ struct AuditResult {
 /// ground. Throws InputError for bad input.
 AuditResult auditResults(const AuditOptions& options);
 /// The states of AuditResult::json as test cases in JUnit's XML. One fails where its step is not certified, an element
-/// is inverted or the state is lost.
+/// is inverted or the state is lost, and is skipped where its step is not told.
 std::string junitText(const nlohmann::ordered_json& audit);
 
 }  // namespace ringwatch

@@ -92,6 +92,26 @@ Json massFor(const Body& body, const StepRule& rule, const MetricResult& ring, c
               {"materials", numbers}};
 }
 
+/// The mass of the nodes of an element over that of their elements, at the node where least was added.
+double massFactor(const Body& body, ElementRef element) {
+  std::map<std::int32_t, double> own;
+  for (const std::int32_t node : body.blocks()[element.block]->nodesOf(element.element)) own[node] = 0;
+  std::vector<double> mass;
+  for (std::size_t b = 0; b < body.blocks().size(); ++b)
+    for (std::int32_t e = 0; e < body.blocks()[b]->elementCount(); ++e) {
+      const ElementRef one(b, e);
+      const auto nodes = body.blocks()[b]->nodesOf(one.element);
+      if (std::ranges::none_of(nodes, [&](std::int32_t node) { return own.contains(node); })) continue;
+      mass.resize(nodes.size());
+      body.elementLumpedMass(one, mass.data());
+      for (std::size_t a = 0; a < nodes.size(); ++a)
+        if (const auto known = own.find(nodes[a]); known != own.end()) known->second += mass[a];
+    }
+  double least = infinity;
+  for (const auto& [node, of] : own) least = std::min(least, body.lumpedMass()[node] / of);
+  return least;
+}
+
 /// A sentence on each fault.
 std::string faultText(StepFault fault, const Json& why) {
   const auto number = [&](const char* key) { return why[key].get<double>(); };
@@ -242,13 +262,20 @@ void addRemedies(Json& why, const Body& body, NodeVectorsView x, const StepRule&
                  StepWithout without, const MetricResult* ring) {
   if (why.is_null()) return;
   const std::size_t elements = body.mesh().elementCount();
+  const auto b = why["element"]["block"].get<std::size_t>(), e = why["element"]["index"].get<std::size_t>();
+  if (const double factor = massFactor(body, {b, e}), slower = std::sqrt(factor);
+      slower > worthDoing && std::isfinite(factor)) {
+    why["wave_speed"] = why["wave_speed"].get<double>() / slower;
+    why["wave_step"] = why["wave_step"].get<double>() * slower;
+    why["cause"] = fmt::format("{}; its nodes have at least {:.3g} times the mass of their elements, which slows waves",
+                               why["cause"].get<std::string>(), factor);
+  }
   std::optional<MetricResult> own;
   if (ring == nullptr && elements <= mostRings) ring = &own.emplace(evaluateMetric(ringMetric, body, x));
   clearRemedies(why);
   const std::vector<OwnStep> steps = ring ? ownSteps(*ring, rule) : std::vector<OwnStep>();
   if (!steps.empty()) {
     const double median = steps[steps.size() / 2].step, least = smallShare * median;
-    const auto b = why["element"]["block"].get<std::size_t>(), e = why["element"]["index"].get<std::size_t>();
     const bool there = b < ring->elementLambda.size() && e < ring->elementLambda[b].size();
     why["median_step"] = median;
     if (there && ring->elementLambda[b][e] > 0) why["own_step"] = numberOrNull(rule(ring->elementLambda[b][e]));

@@ -397,6 +397,7 @@ struct Opening {
   Tone tone;
   std::string_view title, opening;
 };
+constexpr std::string_view indefiniteOnly = "not-certified, for the tangent alone";
 constexpr Opening openings[] = {
     {"certified", Tone::good, "Stable",
      "Each of the {watched:.0f} steps to t = {time:.6g} s was proven to be below the critical step of {what}, with "
@@ -404,6 +405,10 @@ constexpr Opening openings[] = {
     {"not-certified", Tone::unsure, "Not proven",
      "No step to t = {time:.6g} s was seen to be unstable, but only {proven:.0f} of {watched:.0f} steps were proven "
      "stable, with {h}."},
+    {indefiniteOnly, Tone::unsure, "Not proven",
+     "Each of the {watched:.0f} steps to t = {time:.6g} s was proven to be below the limit that the highest frequency "
+     "of "
+     "{what} sets, with {h}, but the tangent was indefinite, which no step cures."},
     {"violated", Tone::bad, "Step too large", ""},
     {"unstable", Tone::bad, "Unstable", ""},
     {"", Tone::unsure, "Not watched",
@@ -411,7 +416,9 @@ constexpr Opening openings[] = {
 };
 
 const Opening& openingOf(const Diagnosis& run) {
-  const auto found = std::ranges::find(openings, run.verdict, &Opening::verdict);
+  const bool ofTangent = run.verdict == "not-certified" && run.indefinite && run.certified == run.watched;
+  const auto found =
+      std::ranges::find(openings, ofTangent ? indefiniteOnly : std::string_view(run.verdict), &Opening::verdict);
   const bool unwatched = found == std::end(openings) || (run.verdict == "not-certified" && !(run.watched > 0));
   return unwatched ? *std::rbegin(openings) : *found;
 }

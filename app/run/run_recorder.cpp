@@ -116,7 +116,7 @@ void RunRecorder::countVerdict(const MonitorReport& report, std::int64_t taken, 
 void RunRecorder::noteWhatIsNotCertified(const Mesh& mesh) {
   if (result_.energyOff())
     result_.notes.emplace_back("the energy balance was off (see the events), so the run is not called stable");
-  if (result_.watchedSteps == 0 || result_.certified()) return;
+  if (result_.certifiedSteps == result_.watchedSteps) return;
   std::string note = fmt::format("certified steps: {} of {}", result_.certifiedSteps, result_.watchedSteps);
   if (result_.safeSeen && scene_.step) {
     const auto [least, largest] = *result_.safeSeen;

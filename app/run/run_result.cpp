@@ -21,9 +21,8 @@ std::string faultText(const std::exception& fault) {
                                                      : fault.what();
 }
 
-bool RunResult::energyOff() const {
-  return std::any_of(events.begin(), events.end(),
-                     [](const RunEvent& told) { return told.event.kind == EventKind::energyBalance; });
+bool RunResult::happened(EventKind kind) const {
+  return std::ranges::any_of(events, [&](const RunEvent& told) { return told.event.kind == kind; });
 }
 
 ExitStatus RunResult::exitStatus() const {
@@ -37,8 +36,9 @@ ExitStatus RunResult::exitStatus() const {
 std::string_view RunResult::verdict() const {
   if (reason == ExitReason::nonFinite || reason == ExitReason::stepFailed || runaway || energyOff()) return "unstable";
   if (violatedStepTaken || reason == ExitReason::violated) return "violated";
-  // The state that it ended in has no step that could be certified.
-  if (worst == Verdict::certified && reason == ExitReason::stepCollapsed) return verdictName(Verdict::notCertified);
+  // The state that it ended in, or one on the way, has no step that could be certified.
+  if (worst == Verdict::certified && (reason == ExitReason::stepCollapsed || happened(EventKind::indefinite)))
+    return verdictName(Verdict::notCertified);
   return worst ? verdictName(*worst) : "unmonitored";
 }
 

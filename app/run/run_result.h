@@ -171,16 +171,20 @@ struct RunResult {
   bool stable() const { return exitStatus() == ExitStatus::done; }
   /// A checkpoint of it is worth keeping.
   bool canGoOn() const { return reason == ExitReason::interrupted || reason == ExitReason::failed; }
-  /// Every step that was watched was certified, and there was one.
-  bool certified() const { return watchedSteps > 0 && certifiedSteps == watchedSteps; }
+  /// An event of the kind happened, whether it ended or not.
+  bool happened(EventKind kind) const;
+  /// Every step that was watched was certified, and there was one, and no tangent was indefinite: a step that is safe
+  /// for the highest frequency is not stable then.
+  bool certified() const {
+    return watchedSteps > 0 && certifiedSteps == watchedSteps && !happened(EventKind::indefinite);
+  }
   /// Nothing beyond the monitor's first observation was certified, though there was more; or nothing could be, of a
   /// handler's steps that had no explicit element.
   bool neverCertified() const {
     return (certifiedSteps < watchedSteps && certifiedSteps <= firstObservationSteps) ||
            (handler && handler->nothingExplicit && watchedSteps == 0 && steps > 0 && proving);
   }
-  /// An energy-balance event happened, whether it ended or not.
-  bool energyOff() const;
+  bool energyOff() const { return happened(EventKind::energyBalance); }
   ExitStatus exitStatus() const;
   /// "certified", "not-certified", "violated", "unstable" or "unmonitored": what the run as a whole may be called.
   std::string_view verdict() const;

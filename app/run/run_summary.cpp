@@ -231,10 +231,15 @@ std::string monitorOverForce(const RunResult& result) {
 
 /// What the run proved, what limited its step, and whether a handler pays.
 std::string conclusionOf(const Scene& scene, const RunResult& result) {
+  // Of an indefinite tangent only what a step does to the highest frequency is proven.
+  const std::string_view proven = result.happened(EventKind::indefinite)
+                                      ? "safe for the highest frequency, which is all that is proven where the "
+                                        "tangent is indefinite"
+                                      : "proven stable";
   std::string text = result.watchedSteps == 0 ? std::string("no step was proven stable")
-                     : result.certified()
-                         ? std::string("every step was proven stable")
-                         : fmt::format("{} of {} steps were proven stable", result.certifiedSteps, result.watchedSteps);
+                     : result.certifiedSteps == result.watchedSteps
+                         ? fmt::format("every step was {}", proven)
+                         : fmt::format("{} of {} steps were {}", result.certifiedSteps, result.watchedSteps, proven);
   if (result.firstViolated) text += fmt::format(", step {} is proven unstable", result.firstViolated->step);
   if (result.verdict() == "unstable")
     text += fmt::format(", but {}", result.runaway       ? "the energy ran away"
@@ -350,7 +355,8 @@ std::string summaryText(const Scene& scene, const Body& body, const RunResult& r
                 : fmt::format("steps {:.6g} to {:.6g} s, ", result.smallestStep, result.largestStep);
   text += fmt::format("verdict {}", result.verdict());
   if (result.watchedSteps > 0)
-    text += fmt::format(", certified at {} of {} steps{}", result.certifiedSteps, result.watchedSteps,
+    text += fmt::format(", certified at {} of {} steps{}{}", result.certifiedSteps, result.watchedSteps,
+                        result.happened(EventKind::indefinite) ? " for the highest frequency alone" : "",
                         scene.every > 1 ? fmt::format(", of which one in {} is observed", scene.every) : "");
   if (result.repeats && result.repeats->count > 0)
     text += fmt::format(", after going back {} time{}, by {} steps", result.repeats->count,

@@ -176,7 +176,8 @@ constexpr DeckParameterRule parameterRules[] = {
     {"VARIABLEMASSSCALING", "TYPE", "", DeckRule::refused, otherMass},
     {"VARIABLEMASSSCALING", "FREQUENCY", "", DeckRule::taken},  // masses stay, and steps are divided
     {"VARIABLEMASSSCALING", "NUMBERINTERVAL", "", DeckRule::taken},
-    {"VARIABLEMASSSCALING", "ELSET", "", DeckRule::refused, massOfAll},
+    {"VARIABLEMASSSCALING", "ELSET", "", DeckRule::refused,
+     "mass is added for the step of the whole body; leave the set out"},
     {"SECTIONCONTROLS", "NAME", "", DeckRule::taken},
     {"SECTIONCONTROLS", "HOURGLASS", "", DeckRule::other, hourglassHere},
     {"SECTIONCONTROLS", "KINEMATICSPLIT", "AVERAGESTRAIN", DeckRule::taken},

@@ -65,7 +65,6 @@ inline constexpr std::string_view noElement = "there is no such element";
 inline constexpr std::string_view cornersAlone =
     "its middle nodes are left out, with what a run would hold and load there; at rest the linear wedge stands for it";
 inline constexpr std::string_view noTemperature = "there are no temperatures";
-inline constexpr std::string_view massOfAll = "mass is added for the step of the whole body; leave the set out";
 inline constexpr std::string_view hourglassHere =
     "the hourglass control here is of stiffness, material.hourglass_stiffness, and viscosity, "
     "material.hourglass_viscosity";

@@ -45,7 +45,7 @@ struct DeckContact {
   std::size_t position;
 };
 struct DeckInitial {
-  std::string selection;
+  std::string selection, point;
   int component;
   double velocity;  // m/s
   std::size_t position;
@@ -152,9 +152,12 @@ class DeckReader : DeckWriter {
     writeMaterials();
     writeIntegrator();
     writeRigids();
+    for (const DeckBoundary& one : boundaries_)
+      if (!one.components.empty()) requireOfMesh(one.selection, one.point, "*BOUNDARY", one.position);
     writeBoundaries();
     writeInitials();
     writeLinks();
+    writeScaledMass();
     writeContacts();
     writeLoads();
     if (presses() && !nonlinear_)
@@ -191,6 +194,8 @@ class DeckReader : DeckWriter {
     sectionControls,
     structure,
     nodeSet,
+    ownNode,
+    solidSection,
     link,
     property,
     interactions,
@@ -279,6 +284,7 @@ class DeckReader : DeckWriter {
       instance_.clear();
     }
     if (name == "NSET" && !keyword_.has("GENERATE") && !keyword_.has("ELSET")) reading_ = Reading::nodeSet;
+    if (name == "NODE" && part_.empty() && !instances_.empty()) reading_ = Reading::ownNode;
     if (name == "ELEMENT") elementType(inUpperCase(keyword_.value("TYPE")));
   }
   /// What stands in a part without an instance is not in the model.
@@ -396,6 +402,7 @@ class DeckReader : DeckWriter {
         return refuseHere(" needs ELSET= and MATERIAL=");
       sections_.push_back(
           {keyword_.value("ELSET"), part_, instance_, inUpperCase(keyword_.value("MATERIAL")), keyword_.position});
+      reading_ = Reading::solidSection;
     } else if (name == "MASS" || name == "SPRING" || name == "DASHPOT") {
       if (keyword_.value("ELSET").empty()) return refuseHere(" needs ELSET=");
       properties_.push_back({name, keyword_.value("ELSET"), part_, keyword_.position});
@@ -501,11 +508,18 @@ class DeckReader : DeckWriter {
     const bool isFixed = withoutBlanks(keyword_.name) == "FIXEDMASSSCALING";
     if (!isFixed && !keyword_.has("DT")) return refuse(keyword_.position, "*VARIABLE MASS SCALING needs DT=");
     // Without either the factor is 1, which takes an earlier one back.
-    if (isFixed && (keyword_.has("FACTOR") || !keyword_.has("DT")))
+    if (isFixed && (keyword_.has("FACTOR") || !keyword_.has("DT"))) {
+      for (const DeckScaling& one : scalings_)
+        if (inUpperCase(one.elset) == inUpperCase(keyword_.value("ELSET"))) return refuseSecond(one.position);
       scalings_.push_back({keyword_.value("ELSET"), keyword_.has("FACTOR") ? number("FACTOR") : 1, keyword_.position});
+    }
     if (!keyword_.has("DT") || !firstOf(scaledForAt_)) return;
-    if (keyword_.has("ELSET"))
-      return refuse(keyword_.position, fmt::format("*{}, DT and ELSET: {}", keyword_.name, massOfAll));
+    if (isFixed) {
+      scaledFor_ = number("DT");
+      scaledSet_ = keyword_.value("ELSET");
+      if (!(scaledFor_ > 0)) refuse(keyword_.position, "*FIXED MASS SCALING, DT must be > 0");
+      return;
+    }
     if (!forRun())
       return note(fmt::format("{}: *{}, DT: this is the body without the mass that a run adds",
                               lines_.where(keyword_.position), keyword_.name));
@@ -513,8 +527,35 @@ class DeckReader : DeckWriter {
     scene_.origins["handler"] = lines_.where(keyword_.position);
     note(
         fmt::format("{}: *{}, DT: mass is added where the proof of the whole body needs it, which is less than each "
-                    "element's own step asks for",
+                    "element's own step asks for; *FIXED MASS SCALING adds that, and goes with more",
                     lines_.where(keyword_.position), keyword_.name));
+  }
+  /// *FIXED MASS SCALING, DT: point masses by the elements' own steps at rest.
+  void writeScaledMass() {
+    if (scaledFor_ == 0) return;
+    std::optional<std::set<ElementRef>> own;
+    if (!scaledSet_.empty()) {
+      keyword_.name = "FIXED MASS SCALING";
+      const auto elements = elementsOf(scaledSet_, *scaledForAt_);
+      own.emplace(elements.begin(), elements.end());
+    }
+    if (!own && !rigids_.empty())
+      lines_.failAt(*scaledForAt_,
+                    "*FIXED MASS SCALING, DT beside *RIGID BODY: rigid elements need no mass; give ELSET= "
+                    "of the others");
+    const Crossings all = scaleMasses(scaledFor_, own ? &*own : nullptr, "FIXED MASS SCALING, DT", *scaledForAt_);
+    note(
+        fmt::format("{}: *FIXED MASS SCALING, DT: {:.6g} kg added to {} of {} elements, {:.3g} % of {:.6g} kg, whose "
+                    "crossing by a wave takes less than {:.6g} s; the step is that of the bracket of the body with "
+                    "this mass at their nodes",
+                    lines_.where(*scaledForAt_), all.added, all.scaled, all.count, 100 * all.added / all.mass, all.mass,
+                    scaledFor_));
+    for (const DeckLoad& load : loads_)
+      if (load.acceleration && all.scaled > 0)
+        lines_.failAt(load.position,
+                      fmt::format("GRAV with *FIXED MASS SCALING, DT ({}): weight is of the mass that is "
+                                  "not scaled, and here of all; *VARIABLE MASS SCALING goes with it",
+                                  placeOf(*scaledForAt_)));
   }
   /// Before all steps, or in the first.
   bool ofFirstStep() const { return steps_ < 2; }
@@ -570,6 +611,12 @@ class DeckReader : DeckWriter {
         return;
       case Reading::nodeSet:
         return nodeSet(words);
+      case Reading::ownNode:
+        ownNodes_.insert(lines_.number(words[0], "the number of a node", line.position));
+        return;
+      case Reading::solidSection:
+        if (dataLines_ > 1) refuse(line.position, "*SOLID SECTION has a second line; it has one");
+        return;
       case Reading::link:
         if (words.size() != linkType_->nodes + 1)
           lines_.failAt(line.position,
@@ -691,6 +738,8 @@ class DeckReader : DeckWriter {
   std::string selectionOf(std::string_view word, std::size_t position) {
     if (word.empty()) lines_.failAt(position, "a node or set is missing");
     if (const auto known = nodeSets_.find(inUpperCase(word)); known != nodeSets_.end()) return known->second;
+    if (part_.empty() && isNumber(word) && ownNodes_.contains(lines_.number(word, "the number of a node", position)))
+      return fmt::format("{}{}", ofAssembly, word);
     const std::string name = nameIn(&Mesh::nodeSets, word, position);
     return isNumber(name) ? fmt::format("#{}", lines_.number(name, "the number of a node", position)) : name;
   }
@@ -705,6 +754,22 @@ class DeckReader : DeckWriter {
     if (const std::string own = known(word); !own.empty()) return own;
     const std::string inner = inInstance(word, position), own = known(inner);
     return own.empty() ? inner : own;
+  }
+  /// Throws where a line is for a node that the mesh does not have, since no solid element has it.
+  void requireOfMesh(const std::string& selection, const std::string& point, const std::string& what,
+                     std::size_t position) {
+    const bool ofRigid = !point.empty() && std::ranges::any_of(rigids_, [&](const DeckRigid& rigid) {
+      return point == rigid.point || point == rigid.turning;
+    });
+    const bool isKnown = selection.starts_with(ofAssembly) || nodeSets_.contains(inUpperCase(selection)) ||
+                         mesh().nodeSets.contains(selection);
+    if (!nodesOf(selection).empty() || !(ofRigid || isKnown)) return;
+    lines_.failAt(
+        position,
+        fmt::format("{}: {} {}", what, selection.starts_with(ofAssembly) ? selection : inQuotes(selection),
+                    ofRigid ? "is the reference node of a *RIGID BODY and of no solid element; it can be held "
+                              "and moved by *BOUNDARY, and the rest is for nodes of the body"
+                            : "is of no solid element of the mesh; name nodes that have one by their set"));
   }
   static bool isNumber(std::string_view word) {
     return !word.empty() && std::isdigit(static_cast<unsigned char>(word.front()));
@@ -737,14 +802,16 @@ class DeckReader : DeckWriter {
   /// Nodes of sets of one node have a name beside their number, which tells nodes of parts apart.
   void nodeSet(const std::vector<std::string_view>& words) {
     const std::string instance = inUpperCase(keyword_.value("INSTANCE"));
-    std::string scope = part_;
-    for (const auto& [name, part] : instances_)
-      if (inUpperCase(name) == instance) scope = part;
-    std::string& point = points_[partKey(keyword_.value("NSET"))];
-    for (const std::string_view word : words)
-      if (!word.empty()) point = point.empty() && isNumber(word) ? fmt::format("{}/{}", scope, word) : severalNodes;
+    for (const std::string_view word : words) {
+      if (word.empty()) continue;
+      const std::string one =
+          isNumber(word) && !instance.empty() ? fmt::format("{}/{}", instance, word) : pointOf(word);
+      std::string& point = points_[partKey(keyword_.value("NSET"))];
+      point = point.empty() && !one.empty() ? one : severalNodes;
+    }
   }
-  /// What stands for a node: its part and number, of a number or of a set of one node; "" for several.
+  /// What stands for a node: its instance, or part in one, and number, of a number or of a set of one node; "" for
+  /// several.
   std::string pointOf(std::string_view word) const {
     if (isNumber(word)) return fmt::format("{}/{}", part_, word);
     const std::string name = inUpperCase(word);
@@ -756,7 +823,8 @@ class DeckReader : DeckWriter {
     for (const auto& [instance, part] : instances_)
       if (const std::string prefix = inUpperCase(instance) + "."; name.starts_with(prefix)) {
         const std::string rest = name.substr(prefix.size());
-        return isNumber(rest) ? fmt::format("{}/{}", part, rest) : find(part + "/" + rest);
+        const std::string inner = isNumber(rest) ? "/" + rest : find(part + "/" + rest);
+        return inner.empty() ? inner : inUpperCase(instance) + inner.substr(inner.rfind('/'));
       }
     return {};
   }
@@ -815,7 +883,7 @@ class DeckReader : DeckWriter {
                "with angular_velocity of a scene turns a body");
       return;
     }
-    initials_.push_back({selectionOf(words[0], position), *component, velocity, position});
+    initials_.push_back({selectionOf(words[0], position), pointOf(words[0]), *component, velocity, position});
   }
 
   void cload(const std::vector<std::string_view>& words, std::size_t position) {
@@ -825,6 +893,7 @@ class DeckReader : DeckWriter {
     if (!component) return refuse(position, "*CLOAD: a moment; a solid's nodes have forces");
     DeckLoad load{selectionOf(words[0], position), Eigen::Vector3d::Zero()};
     load.value[*component] = lines_.real(words[2], "the force", position);
+    load.point = pointOf(words[0]);
     load.amplitude = inUpperCase(keyword_.value("AMPLITUDE"));
     load.position = position;
     loads_.push_back(load);
@@ -857,8 +926,13 @@ class DeckReader : DeckWriter {
                                           "are shared with the others",
                                           inQuotes(words[0])));
     if (direction.isZero(0)) lines_.failAt(position, "GRAV: the direction is zero");
-    loads_.push_back({"", lines_.real(words[2], "the acceleration", position) * direction.normalized(), true,
-                      std::string(words[0]), inUpperCase(keyword_.value("AMPLITUDE")), position});
+    loads_.push_back({"",
+                      lines_.real(words[2], "the acceleration", position) * direction.normalized(),
+                      true,
+                      {},
+                      std::string(words[0]),
+                      inUpperCase(keyword_.value("AMPLITUDE")),
+                      position});
   }
   /// The number of "P3" or "S3"; empty for another word.
   static std::optional<int> faceOf(std::string_view word, char letter) {
@@ -1008,6 +1082,8 @@ class DeckReader : DeckWriter {
           entry["mass_damping"] = material.damping->first;
           if (material.damping->second != 0) entry["stiffness_damping"] = material.damping->second;
         }
+        if (scaledFor_ > 0 && material.density && mesh().elementSets.contains(set))
+          addWaves(entry, "*MATERIAL", material.position);
         list.push_back(std::move(entry));
         origins.push_back(lines_.where(material.position));
       }
@@ -1080,11 +1156,12 @@ class DeckReader : DeckWriter {
           fmt::format("{}: *DYNAMIC, EXPLICIT without *BULK VISCOSITY: there is none here, as in CalculiX; "
                       "Abaqus/Explicit has 0.06 and 1.2 unasked",
                       where));
-    if (!fixed && times_.size() > 3 && times_[3] > 0)
-      note(
-          fmt::format("{}: *DYNAMIC, largest increment {} s: it does not bound the step, which is as large as is "
-                      "proven; integrator.step fixes it",
-                      where, times_[3]));
+    for (const auto& [entry, name] : {std::pair<std::size_t, const char*>{0, "first"}, {3, "largest"}})
+      if (!fixed && times_.size() > entry && times_[entry] > 0)
+        note(
+            fmt::format("{}: *DYNAMIC, {} increment {} s: it does not bound the step, which is as large as is "
+                        "proven; integrator.step fixes it",
+                        where, name, times_[entry]));
     note(fmt::format("{}: *STEP {}: linear elasticity is {}", lines_.where(step_.position),
                      nonlinear_ ? "with NLGEOM" : "without NLGEOM", nonlinear_ ? "stvk" : "linear"));
   }
@@ -1192,6 +1269,7 @@ class DeckReader : DeckWriter {
     // Entries of a scene add up; of a deck the last value of a node counts.
     std::map<std::pair<std::int32_t, int>, double> given;
     for (const DeckInitial& start : initials_) {
+      requireOfMesh(start.selection, start.point, "*INITIAL CONDITIONS", start.position);
       std::set<double> before;
       for (const std::int32_t node : nodesOf(start.selection)) {
         double& value = given[{node, start.component}];
@@ -1255,6 +1333,7 @@ class DeckReader : DeckWriter {
     const double value = lines_.real(property.numbers.back(), "a number of *" + property.keyword, property.position);
     const auto nodeOf = [&](const std::string& word) {
       const std::string selection = selectionOf(word, link.position);
+      requireOfMesh(selection, pointOf(word), fmt::format("*ELEMENT, TYPE={}", link.type->type), link.position);
       if (const std::size_t count = nodesOf(selection).size(); count != 1)
         lines_.failAt(link.position, fmt::format("{}: {} is {} nodes of the mesh; it must be one", link.type->type,
                                                  inQuotes(word), count));
@@ -1338,6 +1417,7 @@ class DeckReader : DeckWriter {
         lines_.failAt(load.position, fmt::format("GRAV on {}: the masses of *MASS ({}) are not in it; leave the name "
                                                  "out for all, or give the weight of the others as *CLOAD",
                                                  inQuotes(load.elements), placeOf(mass->position)));
+      if (!load.acceleration) requireOfMesh(load.selection, load.point, "*CLOAD", load.position);
       writeLoad(load);
     }
   }
@@ -1363,9 +1443,13 @@ class DeckReader : DeckWriter {
   std::vector<DeckProperty> properties_;
   std::vector<DeckScaling> scalings_;
   std::vector<DeckRigid> rigids_;
+  std::set<std::int64_t> ownNodes_;  // numbers of the nodes of the assembly
+  static constexpr std::string_view ofAssembly = "node of the assembly ";
   std::map<std::string, std::string> points_;  // of node sets, as nodeSets_: pointOf the only node, or severalNodes
   std::optional<std::size_t> viscosityAt_;     // of *BULK VISCOSITY
   std::optional<std::size_t> scaledForAt_;     // of mass scaling by DT
+  double scaledFor_ = 0;                       // s, of a fixed one
+  std::string scaledSet_;                      // likewise, "" for all elements
   std::map<std::string, Surface> surfaces_;
   Surface* surface_ = nullptr;
   std::vector<DeckContact> contacts_;

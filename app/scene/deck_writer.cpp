@@ -1,12 +1,16 @@
 #include <ringwatch/app/scene/deck_writer.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/materials/registry.h>
 #include <ringwatch/meshes/mesh_io.h>
+#include <ringwatch/meshes/quality.h>
 
 namespace ringwatch {
 
@@ -192,6 +196,65 @@ void DeckWriter::writeLoad(const DeckLoad& load) {
   Json entry{{load.acceleration ? "acceleration" : "each", listOf(table.factor * load.value)}};
   entry.update(table.entries);
   addEntry("force", load.selection, entry, load.position);
+}
+
+void DeckWriter::addWaves(const Json& entry, const std::string& what, std::size_t position) {
+  const std::string model = entry["model"];
+  const double density = entry["density"];
+  Options parameters;
+  for (const OptionInfo& parameter : lawNamed(model).parameters)
+    if (const auto own = entry.find(std::string(parameter.name)); own != entry.end())
+      parameters.set(own.key(), own->get<double>());
+  try {
+    waves_.push_back({entry["set"], makeMaterial(model, parameters, density).waveSpeed(), density});
+  } catch (const InputError& fault) {
+    lines_.failAt(position, fmt::format("{}: {}", what, fault.what()));
+  }
+}
+
+DeckWriter::Crossings DeckWriter::scaleMasses(double step, const std::set<ElementRef>* elements,
+                                              std::string_view keyword, std::size_t position) {
+  Crossings all;
+  const auto quality = meshQuality(mesh());
+  std::map<std::int32_t, double> added;  // by node
+  for (const auto& [set, speed, density] : waves_)
+    for (const ElementRef element : mesh().elementSets.at(set)) {
+      const MeshBlock& block = mesh().blocks[element.block];
+      const ElementQuality& own = quality[element.block][element.element];
+      const double mass = density * std::abs(own.volume);
+      all.mass += mass;
+      ++all.count;
+      const bool mayGet = step > 0 && (elements == nullptr || elements->contains(element));
+      if (elementInfo(block.type).order > 1) {
+        if (mayGet)
+          lines_.failAt(position, fmt::format("*{}: the mass that it adds to elements of ten nodes is not known; take "
+                                              "it out, or the elements",
+                                              keyword));
+        continue;
+      }
+      const double crossing = std::abs(own.minHeight) / speed;
+      if (crossing < all.least) {
+        all.least = crossing;
+        all.controlling = block.id(static_cast<std::size_t>(element.element));
+      }
+      if (!mayGet || crossing >= step) continue;
+      ++all.scaled;
+      // As the mass of the element, so that its density is the one that its step needs.
+      const double share = mass * (step * step / (crossing * crossing) - 1) / block.nodesPerElement();
+      for (int a = 0; a < block.nodesPerElement(); ++a)
+        added[block.element(static_cast<std::size_t>(element.element))[a]] += share;
+    }
+  std::map<double, std::vector<std::int64_t>> alike;
+  for (const auto& [node, own] : added) {
+    all.added += own;
+    alike[own].push_back(mesh().nodeId(node));
+  }
+  for (const auto& [own, nodes] : alike) {
+    keepApart("mass");
+    addEntry("mass", fmt::format("#{}", fmt::join(nodes, ",")), {{"mass", own * static_cast<double>(nodes.size())}},
+             position);
+  }
+  return all;
 }
 
 void DeckWriter::writePressures() {

@@ -11,6 +11,7 @@
 #include <ringwatch/app/scene/deck_faces.h>
 #include <ringwatch/app/scene/deck_keywords.h>
 #include <ringwatch/app/scene/deck_scene.h>
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/meshes/formats/deck_lines.h>
 #include <ringwatch/meshes/number_index.h>
 
@@ -31,6 +32,7 @@ struct DeckLoad {
   std::string selection;
   Eigen::Vector3d value;  // N at each node, m/s² with `acceleration`
   bool acceleration = false;
+  std::string point = {};     // as of DeckBoundary
   std::string elements = {};  // the set that an acceleration names
   std::string amplitude = {};
   std::size_t position = 0;
@@ -96,6 +98,26 @@ class DeckWriter {
   void addContact(const Json& entry, const std::string& nodes, const std::string& faces, bool nodesHaveFaces,
                   std::size_t position);
   void writeLoad(const DeckLoad& load);
+
+  /// Pressure waves in the elements of a set of the mesh.
+  struct Waves {
+    std::string set;
+    double speed, density;  // m/s, kg/m³
+  };
+  /// Of an entry of a material with its law; what: of it, for messages.
+  void addWaves(const Json& entry, const std::string& what, std::size_t position);
+  /// What the elements' own steps are: of each the crossing of its volume over its largest face, of a tetrahedron of
+  /// its least height, by a wave.
+  struct Crossings {
+    double least = infinity;       // s
+    std::int64_t controlling = 0;  // the number of its element
+    std::size_t count = 0, scaled = 0;
+    double mass = 0, added = 0;  // kg
+  };
+  /// Adds point masses where an own step is below `step` (s; 0 for none): as much as would give the element, by its
+  /// density, that step. elements: those that may get mass; nullptr for all. keyword: for messages.
+  Crossings scaleMasses(double step, const std::set<ElementRef>* elements, std::string_view keyword,
+                        std::size_t position);
   void writePressures();
   /// The scene with the note of what was left out.
   DeckScene finished();
@@ -108,6 +130,7 @@ class DeckWriter {
   std::vector<DeckBoundary> boundaries_;
   std::vector<DeckLoad> loads_;
   std::vector<std::string> refused_;
+  std::vector<Waves> waves_;  // of the elements that are not rigid
 
  private:
   struct Pressure {

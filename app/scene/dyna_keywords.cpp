@@ -117,14 +117,15 @@ constexpr std::string_view ofRates =
 constexpr std::string_view ofVolume =
     "the energy of volume here is bulk/2 (J - 1)^2 with the bulk modulus of PR; they agree where volume hardly changes";
 constexpr DynaLawEntry dynaLaws[] = {
-    {"ELASTIC 001 1", DynaLaw::elastic, "corotational", ofRates},
+    {"ELASTIC 001 1", DynaLaw::elastic, "corotational", ofRates, 1},
     {"BLATZ-KO_RUBBER 007 7", DynaLaw::blatzKo, "neo-hookean",
      "Poisson's ratio is 0.463, as there; the energy of volume here is lambda/2 (ln J)^2, which agrees to the second "
-     "order of ln J"},
-    {"MOONEY-RIVLIN_RUBBER 027 27", DynaLaw::mooneyRivlin, "mooney-rivlin", ofVolume},
+     "order of ln J",
+     1},
+    {"MOONEY-RIVLIN_RUBBER 027 27", DynaLaw::mooneyRivlin, "mooney-rivlin", ofVolume, 2},
     {"HYPERELASTIC_RUBBER 077_H 77_H", DynaLaw::hyperelastic, "mooney-rivlin, or yeoh", ""},
     {"OGDEN_RUBBER 077_O 77_O", DynaLaw::ogden, "mooney-rivlin", ""},
-    {"RIGID 020 20", DynaLaw::rigid, "[[rigid]]", ""},
+    {"RIGID 020 20", DynaLaw::rigid, "[[rigid]]", "", 3},
 };
 
 }  // namespace

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -29,6 +30,7 @@ struct DynaLawEntry {
   DynaLaw law;
   std::string_view model;  // ours
   std::string_view why;    // what is told of runs; "" for nothing
+  std::size_t cards = 0;   // that it has; 0 for any number
 };
 /// By what stands behind *MAT_; nullptr for a law that is not taken.
 const DynaLawEntry* findDynaLaw(std::string_view name);

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -16,9 +15,7 @@
 #include <ringwatch/app/scene/dyna_keywords.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/user_text.h>
-#include <ringwatch/materials/registry.h>
 #include <ringwatch/meshes/formats/dyna_cards.h>
-#include <ringwatch/meshes/quality.h>
 
 namespace ringwatch {
 namespace {
@@ -167,13 +164,16 @@ class DynaReader : DeckWriter {
   }
   void finishKeyword() {
     if (handler_ == nullptr) return;
-    const std::size_t most = handler_->most;
+    requireAtMost(handler_->most);
+    (this->*handler_->read)();
+    handler_ = nullptr;
+  }
+  /// Fails at a card behind the ones that the keyword has; 0 for any number.
+  void requireAtMost(std::size_t most) const {
     if (most > 0 && cardCount() > most && !nothingFollows(cards_.size() - cardCount() + most))
       lines_.failAt(card(most).position(),
                     fmt::format("*{}: has {}; what is behind it takes a keyword of its own", keyword_.name,
                                 most == 1 ? "one line" : fmt::format("{} lines", most)));
-    (this->*handler_->read)();
-    handler_ = nullptr;
   }
 
   /// Card i of the keyword, behind its title.
@@ -284,6 +284,7 @@ class DynaReader : DeckWriter {
     DynaMaterial material{findDynaLaw(std::string_view(keyword_.name).substr(4)), keyword_.name, keyword_.position,
                           Json::object()};
     if (material.law != nullptr) {
+      requireAtMost(material.law->cards);
       material.density = first.real(1, "RO");
       material.given = Json{{"model", material.law->model}};
       switch (material.law->law) {
@@ -763,6 +764,10 @@ class DynaReader : DeckWriter {
                fmt::format("*{}, {} = {}: scales friction; write the product", name, what, card(2).field(field)));
     if (const double death = friction.real(7, "DT"); death != 0 && death < never)
       refuse(friction.position(), fmt::format("*{}, DT: ends within the run", name));
+    constexpr std::size_t mandatory = 3;
+    if (cardCount() > mandatory && !nothingFollows(cards_.size() - cardCount() + mandatory))
+      note(fmt::format("{}: *{}: the lines behind its third are of LS-DYNA's own search and penalty, and left out",
+                       lines_.where(card(mandatory).position()), name));
     constexpr double percent = 100;
     Json entry{{"with", "surface"}};
     if (coefficient != 0) entry["friction"] = coefficient;
@@ -925,70 +930,29 @@ class DynaReader : DeckWriter {
     if (stepAt_) scene_.origins["integrator.safety"] = lines_.where(*stepAt_);
   }
 
-  /// LS-DYNA's own step: of each element the crossing of its volume over its largest face, of a tetrahedron of its
-  /// least height, by a pressure wave (Theory Manual, "Time Step Calculations for Solid Elements").
+  /// LS-DYNA's own step (Theory Manual, "Time Step Calculations for Solid Elements"), and the mass for that of DT2MS.
   void tellStep() {
-    const std::string where = stepAt_ ? lines_.where(*stepAt_) : file_.string();
-    const auto quality = meshQuality(mesh());
-    double least = std::numeric_limits<double>::infinity(), mass = 0;
-    std::map<std::int32_t, double> added;  // by node
-    std::int64_t controlling = 0, scaled = 0, count = 0;
-    for (const auto& [set, speed, density] : speeds_)
-      for (const ElementRef element : mesh().elementSets.at(set)) {
-        const MeshBlock& block = mesh().blocks[element.block];
-        const ElementQuality& own = quality[element.block][element.element];
-        const double of = density * std::abs(own.volume);
-        mass += of;
-        ++count;
-        if (elementInfo(block.type).order > 1) {
-          if (scaledStep_ < 0)
-            throw InputError(
-                fmt::format("{}: *CONTROL_TIMESTEP, DT2MS: the mass that it adds to elements of ten nodes is "
-                            "not known; take it out, or the elements",
-                            where));
-          continue;
-        }
-        const double step = std::abs(own.minHeight) / speed;
-        if (step < least) {
-          least = step;
-          controlling = block.id(static_cast<std::size_t>(element.element));
-        }
-        if (step < -scaledStep_) {
-          ++scaled;
-          // As the mass of the element, so that its density is the one that its step needs.
-          const double share = of * (scaledStep_ * scaledStep_ / (step * step) - 1) / block.nodesPerElement();
-          for (int a = 0; a < block.nodesPerElement(); ++a)
-            added[block.element(static_cast<std::size_t>(element.element))[a]] += share;
-        }
-      }
-    if (!std::isfinite(least)) return;
+    const std::size_t position = stepAt_.value_or(0);
+    const std::string where = stepAt_ ? lines_.where(position) : file_.string();
+    const Crossings all = scaleMasses(-scaledStep_, nullptr, "CONTROL_TIMESTEP, DT2MS", position);
+    if (!std::isfinite(all.least)) return;
     const std::string crossing = fmt::format(
         "{:.6g} x {:.6g} = {:.6g} s, TSSFAC times the least crossing of an element by a wave, of element {}",
-        stepFactor_, least, stepFactor_ * least, controlling);
-    if (added.empty())
+        stepFactor_, all.least, stepFactor_ * all.least, all.controlling);
+    if (all.scaled == 0)
       note(fmt::format("{}: LS-DYNA's own step at rest is {}; the proven one is that of the bracket", where, crossing));
     if (scaledStep_ == 0) return;
-    if (added.empty()) {
-      note(fmt::format("{}: *CONTROL_TIMESTEP, DT2MS: adds no mass at rest, since no element's step is below {:.6g} s",
-                       where, -scaledStep_));
-      return;
-    }
-    double sum = 0;
-    std::map<double, std::vector<std::int64_t>> alike;
-    for (const auto& [node, own] : added) {
-      sum += own;
-      alike[own].push_back(mesh().nodeId(node));
-    }
+    if (all.scaled == 0)
+      return note(
+          fmt::format("{}: *CONTROL_TIMESTEP, DT2MS: adds no mass at rest, since no element's step is below "
+                      "{:.6g} s",
+                      where, -scaledStep_));
     note(
         fmt::format("{}: *CONTROL_TIMESTEP, DT2MS: LS-DYNA adds {:.6g} kg to {} of {} elements at rest, {:.3g} % of "
                     "{:.6g} kg, and steps at {:.6g} s; without that mass its step would be {}; the proven one is that "
                     "of the bracket of the body with this mass at their nodes, and none that LS-DYNA adds later",
-                    where, sum, scaled, count, 100 * sum / mass, mass, -stepFactor_ * scaledStep_, crossing));
-    for (const auto& [own, nodes] : alike) {
-      keepApart("mass");
-      addEntry("mass", fmt::format("#{}", fmt::join(nodes, ",")), {{"mass", own * static_cast<double>(nodes.size())}},
-               *stepAt_);
-    }
+                    where, all.added, all.scaled, all.count, 100 * all.added / all.mass, all.mass,
+                    -stepFactor_ * scaledStep_, crossing));
   }
 
   // Parts.
@@ -1079,7 +1043,7 @@ class DynaReader : DeckWriter {
         if (forRun() && !material.law->why.empty() && noted_.insert(material.keyword).second)
           note(fmt::format("{}: *{} is {}: {}", lines_.where(material.position), material.keyword,
                            entry["model"].get<std::string>(), material.law->why));
-        addSpeed(id, entry, material);
+        addWaves(entry, "*" + material.keyword, material.position);  // for LS-DYNA's own step
       }
       list.push_back(std::move(entry));
       origins.push_back(lines_.where(material.position));
@@ -1096,20 +1060,6 @@ class DynaReader : DeckWriter {
   void requirePart(std::int64_t id, std::size_t position) const {
     if (!parts_.contains(id)) lines_.failAt(position, fmt::format("there is no *PART {}", id));
   }
-  /// For LS-DYNA's own step.
-  void addSpeed(std::int64_t id, const Json& entry, const DynaMaterial& material) {
-    Options parameters;
-    for (const OptionInfo& parameter : lawNamed(entry["model"].get<std::string>()).parameters)
-      if (entry.contains(std::string(parameter.name)))
-        parameters.set(std::string(parameter.name), entry[std::string(parameter.name)].get<double>());
-    try {
-      const Material made = makeMaterial(entry["model"].get<std::string>(), parameters, material.density);
-      speeds_.push_back({detail::dynaPart(id), made.waveSpeed(), material.density});
-    } catch (const InputError& fault) {
-      lines_.failAt(material.position, fmt::format("*{}: {}", material.keyword, fault.what()));
-    }
-  }
-
   void writeRigidParts() {
     for (const auto& [id, guide] : rigidParts_) {
       const std::string name = detail::dynaPart(id);
@@ -1178,12 +1128,7 @@ class DynaReader : DeckWriter {
     double value;
     std::size_t position;
   };
-  std::vector<OfPart> ofPart_;  // bulk viscosity by *HOURGLASS
-  struct Speed {
-    std::string set;
-    double speed, density;
-  };
-  std::vector<Speed> speeds_;                 // of parts that are not rigid
+  std::vector<OfPart> ofPart_;                // bulk viscosity by *HOURGLASS
   std::vector<std::function<void()>> later_;  // entries that need the mesh, and sets below
   std::vector<std::size_t> begun_;            // of each node: 1 + where its initial velocity stands; 0: none
   std::map<std::string, std::pair<std::int64_t, std::size_t>> structures_;  // keyword -> number, first position
@@ -1196,6 +1141,8 @@ class DynaReader : DeckWriter {
   std::array<std::optional<std::size_t>, 3> bodyLoadAt_;  // along x, y and z
   std::set<std::string> noted_, refusedKeywords_;
 };
+
+constexpr std::size_t contactCards = 3 + 7;  // A to G behind those that each contact has
 
 const DynaReader::Handler DynaReader::handlers[] = {
     {"PART", &DynaReader::part},
@@ -1232,11 +1179,11 @@ const DynaReader::Handler DynaReader::handlers[] = {
     {"SET_PART_LIST_GENERATE", &DynaReader::partSet},
     {"SET_SEGMENT", &DynaReader::segmentSet},
     {"RIGIDWALL_PLANAR", &DynaReader::wall},
-    {"CONTACT_AUTOMATIC_SINGLE_SURFACE", &DynaReader::contact},
-    {"CONTACT_AUTOMATIC_SURFACE_TO_SURFACE", &DynaReader::contact},
-    {"CONTACT_AUTOMATIC_NODES_TO_SURFACE", &DynaReader::contact},
-    {"CONTACT_SURFACE_TO_SURFACE", &DynaReader::contact},
-    {"CONTACT_NODES_TO_SURFACE", &DynaReader::contact},
+    {"CONTACT_AUTOMATIC_SINGLE_SURFACE", &DynaReader::contact, contactCards},
+    {"CONTACT_AUTOMATIC_SURFACE_TO_SURFACE", &DynaReader::contact, contactCards},
+    {"CONTACT_AUTOMATIC_NODES_TO_SURFACE", &DynaReader::contact, contactCards},
+    {"CONTACT_SURFACE_TO_SURFACE", &DynaReader::contact, contactCards},
+    {"CONTACT_NODES_TO_SURFACE", &DynaReader::contact, contactCards},
 };
 const DynaReader::Handler DynaReader::ofMaterials{"MAT", &DynaReader::material};
 const std::size_t DynaReader::handlerCount = std::size(handlers);

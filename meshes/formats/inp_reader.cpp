@@ -99,6 +99,7 @@ class Deck {
   struct Range {
     std::int64_t first, last, step;
     auto operator<=>(const Range&) const = default;
+    bool has(std::int64_t id) const { return first <= id && id <= last && (id - first) % step == 0; }
   };
   struct Set {
     std::string name;  // as first written
@@ -140,6 +141,11 @@ class Deck {
     std::string name;
     std::int64_t offset = 0;                     // of its numbers in the model
     std::vector<std::vector<double>> placement;  // translation; two points on an axis and an angle in degrees
+  };
+  /// Numbers of nodes or elements that the assembly has beside those of its instances.
+  struct Own {
+    std::map<std::int64_t, bool> inMesh;  // false where an instance has the number, and for what has no shape
+    std::vector<Range> ofInstance;        // of sets of the assembly that name those of its only instance
   };
   enum class Reading {
     nothing,
@@ -392,9 +398,11 @@ class Deck {
       case Reading::noData:
         lines_.failAt(line.position, joinText("a line of data below *", keyword_.name, ", which has none"));
       case Reading::shapeless:
-        if (!continued_)
+        if (!continued_) {
           part().shapeless.push_back(
               lines_.number(DeckLines::fields(line.text)[0], "the number of an element", line.position));
+          if (inAssembly()) addOwn(part().shapeless.back(), false, "element", line.position);
+        }
         continued_ = line.text.back() == ',';
         break;
       case Reading::placement:
@@ -444,13 +452,15 @@ class Deck {
   }
   void addNode(std::int64_t id, const Eigen::Vector3d& X, std::size_t position) {
     const auto [known, isNew] = part().nodeOfId.try_emplace(id, part().nodes.size());
-    if (isNew)
-      part().nodes.push_back({id, X, position});
-    else if (current_ == nullptr && !order_.empty())
-      lines_.failAt(position, joinText("node ", id,
-                                       " of the assembly is defined a second time; its numbers are those "
-                                       "that its instances leave free"));
-    else if (part().nodes[known->second].X != X)
+    if (isNew) part().nodes.push_back({id, X, position});
+    if (inAssembly() && !addOwn(id, isNew, "node", position)) {
+      if (keyword_.name != "NODE")
+        lines_.failAt(position, joinText("*", keyword_.name, " makes node ", id,
+                                         " of the assembly, a number that an instance has; take free numbers"));
+      if (keyword_.has("NSET")) setOf(part().nodeSets, keyword_.value("NSET"));
+      return;
+    }
+    if (part().nodes[known->second].X != X)
       lines_.failAt(position, joinText("node ", id, " is defined a second time, at another place"));
     if (keyword_.has("NSET")) setOf(part().nodeSets, keyword_.value("NSET")).add(id);
   }
@@ -573,8 +583,16 @@ class Deck {
                                             " nodes; it must have ", wanted));
     if (element.nodes.size() < wanted) return;  // goes on in the next line
     unfinished_ = false;
+    if (inAssembly())
+      for (const std::int64_t node : element.nodes)
+        if (const auto own = ownNodes_.inMesh.find(node);
+            own == ownNodes_.inMesh.end() ? order_.size() > 1 : !own->second)
+          lines_.failAt(element.position, joinText("element ", element.id, " of the assembly has node ", node,
+                                                   ", a number that an instance has; give the nodes of the assembly "
+                                                   "numbers that are free"));
     if (!part().elementOfId.emplace(element.id, elements.size() - 1).second)
       lines_.failAt(element.position, joinText("element ", element.id, " is defined a second time"));
+    if (inAssembly()) addOwn(element.id, true, "element", element.position);
     if (keyword_.has("ELSET")) setOf(part().elementSets, keyword_.value("ELSET")).add(element.id);
   }
   void finishData() {
@@ -601,6 +619,39 @@ class Deck {
     const bool fromElements = name == "NSET" && keyword_.has("ELSET");  // has no lines of its own
     if (!hasData_ && !fromElements)
       lines_.failAt(keyword_.position, joinText("the file ends after the line of *", name, "; is it cut short?"));
+  }
+
+  bool inAssembly() const { return current_ == nullptr && !order_.empty(); }
+  Own& ownOf(std::string_view what) { return what == "node" ? ownNodes_ : ownElements_; }
+  /// Whether the node or element of the assembly is the one of the mesh that has its number. isFree: no other has it.
+  bool addOwn(std::int64_t id, bool isFree, std::string_view what, std::size_t position) {
+    Own& own = ownOf(what);
+    const auto [known, isNew] = own.inMesh.try_emplace(id, isFree);
+    if (isNew && std::ranges::any_of(own.ofInstance, [&](const Range& range) { return range.has(id); }))
+      lines_.failAt(position,
+                    joinText(what, " ", id, " of the assembly stands below a set that names it; write it above"));
+    return known->second;
+  }
+  /// Numbers in a set of the assembly are those of its own nodes and elements or, where it has none of them, those of
+  /// its only instance.
+  void addMembers(Set& set, const Range& range, std::string_view what, std::size_t position) {
+    if (inAssembly() && keyword_.value("INSTANCE").empty()) {
+      Own& own = ownOf(what);
+      bool any = false;
+      for (auto one = own.inMesh.lower_bound(range.first); one != own.inMesh.end() && one->first <= range.last; ++one) {
+        any = any || range.has(one->first);
+        if (range.has(one->first) && one->second) set.add(one->first);
+      }
+      if (any) return;
+      if (order_.size() > 1)
+        lines_.failAt(position, joinText("set ", set.name, " holds ", what, " ", range.first,
+                                         ", which is none of the assembly; INSTANCE= says whose it is"));
+      own.ofInstance.push_back(range);
+    }
+    if (range.first == range.last)
+      set.add(range.first);
+    else
+      set.ranges.push_back(range);
   }
 
   /// What is added to the numbers and put before the names in a set that INSTANCE= gives to one.
@@ -653,15 +704,16 @@ class Deck {
       if (last < first)
         lines_.failAt(line.position, joinText("GENERATE goes from ", first, " to ", last,
                                               "; the last number must not be below the first"));
-      set.ranges.push_back({shifted(first, offset), shifted(last, offset), step});
-      return;
+      return addMembers(set, {shifted(first, offset), shifted(last, offset), step}, what, line.position);
     }
     for (const std::string_view word : words) {
       if (word.empty()) continue;
       if (std::isdigit(static_cast<unsigned char>(word.front()))) {
         const std::int64_t id = shifted(lines_.number(word, joinText("the number of a ", what), line.position), offset);
         if (what == "node" && part().nodeOfId.count(id) == 0) part().awaited.push_back({id, set.name, line.position});
-        set.add(id);
+        addMembers(set, {id, id, 1}, what, line.position);
+      } else if (const auto id = numberInInstance(word, what, line.position)) {
+        set.add(*id);
       } else {
         const auto other = sets.find(prefix + inUpperCase(word));
         if (other == sets.end() || &other->second == &set)
@@ -674,6 +726,20 @@ class Deck {
         if (set.ranges.size() > 2 * set.distinct + 1000) set.removeRepeated();
       }
     }
+  }
+
+  /// The number in the model of "INSTANCE.12"; empty for another word.
+  std::optional<std::int64_t> numberInInstance(std::string_view word, std::string_view what, std::size_t position) {
+    const std::size_t dot = word.rfind('.');
+    if (!inAssembly() || dot == std::string_view::npos || dot + 1 == word.size() ||
+        !std::ranges::all_of(word.substr(dot + 1), [](unsigned char c) { return std::isdigit(c) != 0; }))
+      return std::nullopt;
+    const auto instance = instances_.find(inUpperCase(word.substr(0, dot)));
+    if (instance == instances_.end()) return std::nullopt;
+    const std::int64_t id = shifted(lines_.number(word.substr(dot + 1), what, position), instance->second.offset);
+    if (what == "node" ? !model_.nodeOfId.contains(id) : !model_.elementOfId.contains(id))
+      lines_.failAt(position, joinText("the instance has no ", what, " ", detail::quoted(std::string(word))));
+    return id;
   }
 
   void requireNodes(const Part& part) const {
@@ -823,7 +889,8 @@ class Deck {
     std::size_t position;
   };
   std::vector<Open> open_;  // the innermost last
-  Part model_, placed_;     // placed_: of the instance that is being read
+  Own ownNodes_, ownElements_;
+  Part model_, placed_;  // placed_: of the instance that is being read
   std::map<std::string, Part> parts_;
   Part* current_ = nullptr;  // what is read now belongs to it; nullptr: to the model
   std::map<std::string, Instance> instances_;

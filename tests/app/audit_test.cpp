@@ -116,6 +116,15 @@ TEST_F(Audits, ReadLegacyFiles) {
   const Outcome text = call(fmt::format("audit a0.vtk a1.vtk a2.vtk --step {} {}", 0.9 * rest, test::material));
   EXPECT_THAT(text.out, HasSubstr("first step that is proven unstable: state 3 at t = 0.2 s: h = "));
   EXPECT_THAT(text.out, HasSubstr("proven for the tangent of this law"));
+
+  // As test cases: how near the proven step the others came, and none that passes where no step is told.
+  audit(fmt::format("a0.vtk a2.vtk --step {} --junit j.xml{}", test::digits(0.5 * rest), test::material), 1);
+  EXPECT_THAT(folder_.read("j.xml"), HasSubstr("tests=\"2\" failures=\"1\" skipped=\"0\""));
+  EXPECT_THAT(folder_.read("j.xml"), HasSubstr(" s, 0.5 times the proven one, "));
+  writeVtk("untold.vtk", 0, 0, [](const Eigen::Vector3d& X) { return X; });
+  audit("untold.vtk --junit j.xml" + std::string(test::material), 0);
+  EXPECT_THAT(folder_.read("j.xml"), HasSubstr("tests=\"1\" failures=\"0\" skipped=\"1\""));
+  EXPECT_THAT(folder_.read("j.xml"), HasSubstr("<skipped message=\"the results do not tell which step was taken; "));
 }
 
 TEST_F(Audits, TakeMovedPointsForPositions) {

@@ -262,7 +262,7 @@ TEST_F(ExplicitDecks, RunRubber) {
   }
 }
 
-// By a factor masses are those of another density; for a step they are what the handler adds.
+// By a factor masses are those of another density; for a step they are what elements need, or what the handler adds.
 TEST_F(ExplicitDecks, ScaleMasses) {
   const std::string sections =
       "*Solid Section, elset=First, material=Steel\n,\n*Solid Section, elset=Second, material=Steel\n,\n";
@@ -278,28 +278,46 @@ TEST_F(ExplicitDecks, ScaleMasses) {
              scene("31400", "15700"));
   EXPECT_NEAR(mass_, 4 * 7.85 + 2 * 7.85, 1e-12);
   expectSame(deck("*Fixed Mass Scaling, factor=4.\n*Fixed Mass Scaling, elset=Second\n"), scene("31400", "7850"));
-  for (const std::string keyword : {"*Fixed Mass Scaling, dt=5e-5, type=BELOW MIN\n",
-                                    "*Variable Mass Scaling, dt=5e-5, type=below min, frequency=10\n"}) {
-    expectSame(deck(keyword), scene("7850", "7850", "[handler]\nmethod = \"mass-scaling\"\nstep = 5e-5\n"));
-    EXPECT_THAT(out_, HasSubstr("DT: mass is added where the proof of the whole body needs it"));
-    EXPECT_GT(json("d/summary.json")["smallest_step"].get<double>(), 4e-5);
-    EXPECT_THAT(call("inspect deck.inp").out, HasSubstr("DT: this is the body without the mass that a run adds"));
-  }
+  const std::string forStep = "dt=5e-5, type=BELOW MIN", gravity = "*Dload\n, GRAV, 9.81, 0., 0., -1.\n";
+  expectSame(deck("*Variable Mass Scaling, frequency=10, " + forStep + "\n"),
+             scene("7850", "7850", "[handler]\nmethod = \"mass-scaling\"\nstep = 5e-5\n"));
+  EXPECT_THAT(out_, HasSubstr("DT: mass is added where the proof of the whole body needs it"));
+  EXPECT_GT(json("d/summary.json")["smallest_step"].get<double>(), 4e-5);
+  EXPECT_THAT(call("inspect deck.inp").out, HasSubstr("DT: this is the body without the mass that a run adds"));
+  // A wave of speed c crosses a cube of side l in l/c: its density grows by (dt c/l)^2.
+  const double wave = 2.1e11 * 0.7 / (1.3 * 0.4), share = 7.85 * (25e-10 * wave / (7850 * 0.01) - 1) / 8;
+  const auto masses = [&](const std::string& once, int nodes, const std::string& twice = "") {
+    const auto entry = [](const std::string& set, double mass) {
+      return "[[mass]]\nset = \"#" + set + "\"\nmass = " + test::digits(mass) + "\n";
+    };
+    return entry(once, nodes * share) + (twice.empty() ? "" : entry(twice, 4 * 2 * share));
+  };
+  const std::string all = masses("1,4,5,8,9,10,11,12", 8, "2,3,6,7"), viscous = "[damping]\nbulk_viscosity = true\n";
+  expectSame(deck("*Fixed Mass Scaling, " + forStep + "\n"), scene("7850", "7850") + all);
+  EXPECT_NEAR(mass_, 2 * 25e-10 * wave * 0.1, 1e-11);
+  EXPECT_THAT(call("inspect deck.inp").out, HasSubstr("its nodes have at least 9 times the mass of their elements"));
+  expectSame(deck("*Fixed Mass Scaling, " + forStep + "\n", "*Bulk Viscosity\n*Dload\n1, P1, 1.\n"),
+             scene("7850", "7850") + all + viscous + "[[pressure]]\nset = \"#1,2,3,4\"\npressure = 1\n");
+  expectSame(deck("*Fixed Mass Scaling, elset=Second, " + forStep + "\n"),
+             scene("7850", "7850") + masses("2,3,6,7,9,10,11,12", 8));
   refuse(deck("*Fixed Mass Scaling, factor=4., elset=Tip\n"), "\"Tip\" is the set of no *SOLID SECTION");
-  refuse(deck("*Fixed Mass Scaling, factor=4.\n", "*Dload\n, GRAV, 9.81, 0., 0., -1.\n"),
+  refuse(deck("*Fixed Mass Scaling, factor=4.\n", gravity),
          "GRAV with *FIXED MASS SCALING, FACTOR (line 52): weight is of the mass that is not scaled");
+  refuse(deck("*Fixed Mass Scaling, dt=5e-5\n", gravity), "*VARIABLE MASS SCALING goes with it");
   refuse(part("C3D8") + steel() +
-             step("*Fixed Mass Scaling, dt=5e-5\n", "*Dynamic, Explicit, direct user control\n1e-6, 1e-4\n"),
+             step("*Variable Mass Scaling, dt=5e-5\n", "*Dynamic, Explicit, direct user control\n1e-6, 1e-4\n"),
          "handler.step: is for integrator.step = \"auto\", and 1e-06 s is given");
-  refuse(deck("*Fixed Mass Scaling, dt=5e-5\n", "*Bulk Viscosity\n"),
+  refuse(deck("*Variable Mass Scaling, dt=5e-5\n", "*Bulk Viscosity\n"),
          "handlers do not go with elements that damp (deck.inp:");
-  refuse(deck("*Fixed Mass Scaling, dt=5e-5\n", "*Dload\n1, P1, 1.\n"),
+  refuse(deck("*Variable Mass Scaling, dt=5e-5\n", "*Dload\n1, P1, 1.\n"),
          "handlers do not go with loads and motions that change in time (deck.inp:");
   for (const std::string command : {"run deck.inp --out x", "inspect deck.inp"}) {
     refuse(deck("*Fixed Mass Scaling, dt=5e-5, type=UNIFORM\n"),
            "TYPE=UNIFORM: gives mass to elements that do not need", command);
-    refuse(deck("*Fixed Mass Scaling, dt=5e-5, elset=First\n"), "DT and ELSET: mass is added for the step of the whole",
-           command);
+    refuse(deck("*Variable Mass Scaling, dt=5e-5, elset=First\n"), "mass is added for the step of the whole", command);
+    for (const std::string set : {"", ", elset=Second"})
+      refuse(deck("*Fixed Mass Scaling, factor=4." + set + "\n*Fixed Mass Scaling, factor=9." + set + "\n"),
+             "*FIXED MASS SCALING gives a second time what line 52 gives", command);
     refuse(deck("*Variable Mass Scaling, dt=5e-5, element layers=2\n"), "ELEMENTLAYERS=2 is not taken", command);
     refuse(deck("*Variable Mass Scaling, frequency=2\n"), "*VARIABLE MASS SCALING needs DT=", command);
     refuse(deck("*Fixed Mass Scaling, dt=5e-5\n*Fixed Mass Scaling, dt=6e-5\n"),
@@ -460,6 +478,10 @@ TEST_F(ExplicitDecks, JudgeAFixedStep) {
   expectSame(part("C3D8") + steel() + step(loads, "*Dynamic, Explicit, element by element, scale factor=0.5\n, 1e-4\n"),
              scene, "step = \"auto\"\nend = 1e-4\nsafety = 0.5\n");
   EXPECT_THAT(out_, HasSubstr("ELEMENTBYELEMENT: the program's own estimate"));
+  expectSame(part("C3D8") + steel() + step(loads, "*Dynamic, Explicit\n1e-6, 1e-4\n"), scene);
+  EXPECT_THAT(out_, HasSubstr("*DYNAMIC, first increment 1e-06 s: it does not bound the step"));
+  refuse(part("C3D8", "*Solid Section, elset=All, material=Steel\n,\n0.5\n") + steel() + step(loads),
+         "*SOLID SECTION has a second line; it has one");
   // Of the safe step of the first state, kept to the end.
   expectSame(part("C3D8") + steel() + step(loads, "*Dynamic, Explicit, fixed time incrementation\n, 1e-4\n"), scene,
              "step = \"auto\"\nhold = true\nend = 1e-4\n");
@@ -469,14 +491,14 @@ TEST_F(ExplicitDecks, JudgeAFixedStep) {
   EXPECT_NEAR(held["largest_step"].get<double>(), 0.95 * safe, 1e-12 * safe);
 }
 
-// A rigid body goes by its reference node, which is of no element.
+// A rigid body goes by its reference node, which is of no element and has a number that a node of the part has, too.
 TEST_F(ExplicitDecks, TakeRigidBodies) {
   const std::string steelPart = [] {
     std::string text = part("C3D8");
     const std::string end = "*End Assembly\n";
     return text.replace(
         text.find(end), end.size(),
-        "*Node\n99, 0.3, 0., 0.\n*Nset, nset=RP\n99,\n*Rigid Body, ref node=RP, elset=Bar-1.Second\n" + end);
+        "*Node\n1, 0.3, 0., 0.\n*Nset, nset=RP\n1,\n*Rigid Body, ref node=RP, elset=Bar-1.Second\n" + end);
   }() + steel();
   const std::string rigid = std::string(stvk) + "[[rigid]]\nname = \"head\"\nset = \"#2,3,6,7,9,10,11,12\"\n";
   const std::string held = std::string(fixed);
@@ -501,7 +523,7 @@ TEST_F(ExplicitDecks, TakeRigidBodies) {
   // Guided: free along x.
   expectSame(
       steelPart + step("*Cload\nTip, 1, 1e3\n", "*Dynamic, Explicit\n, 1e-4\n",
-                       "*Boundary\nFix, ENCASTRE\nRP, 2, 3\nRP, 4, 6\n"),
+                       "*Boundary\nFix, ENCASTRE\n1, 2, 3\nRP, 4, 6\n"),
       rigid + held + "[[fix]]\nrigid = \"head\"\ncomponents = \"yz\"\n[[force]]\nset = \"Tip\"\neach = [1e3, 0, 0]\n");
   // CalculiX has a node of its own for the rotations, its degrees of freedom 1 to 3.
   std::string turned = steelPart;
@@ -516,6 +538,22 @@ TEST_F(ExplicitDecks, TakeRigidBodies) {
          "*RIGID BODY: its reference node must have all of its rotations held, or be free altogether");
   refuse(steelPart + step("", "*Dynamic, Explicit\n, 1e-4\n", "*Boundary\nRP, 2, 4\n"),
          "must have all of its rotations held");
+  // What else is of it is for nodes of the mesh, and not for the node of the part with its number.
+  const std::string velocity = "*Initial Conditions, type=VELOCITY\n";
+  std::string plain = steelPart;
+  plain.erase(plain.find("*Rigid Body"), plain.find("*End Assembly") - plain.find("*Rigid Body"));
+  for (const auto& [deck, why] : {std::pair(steelPart, "is the reference node of a *RIGID BODY and of no solid"),
+                                  {plain, "is of no solid element of the mesh"}})
+    for (const std::string node : {"RP", "1"}) {
+      const std::string named = (node == "1" ? "node of the assembly 1 " : "\"RP\" ") + std::string(why);
+      refuse(deck + step("*Cload\n" + node + ", 1, 1e3\n"), "*CLOAD: " + named);
+      refuse(deck + velocity + node + ", 1, 2.\n" + step(""), "*INITIAL CONDITIONS: " + named);
+      std::string heavy = deck;
+      heavy.insert(heavy.find("*End Assembly"), "*Element, type=MASS, elset=m\n1, " + node + "\n*Mass, elset=m\n3.\n");
+      refuse(heavy + step(""), "*ELEMENT, TYPE=MASS: " + named);
+    }
+  refuse(plain + step("", "*Dynamic, Explicit\n, 1e-4\n", "*Boundary\n1, 1, 3\n"),
+         "*BOUNDARY: node of the assembly 1 is of no solid element");
   refuse(part("C3D8") + steel() + "*Rigid Body, ref node=Tip, elset=Second\n" + step(""),
          "*RIGID BODY: REF NODE must be a node, or a set of one node");
   refuse(part("C3D8") + steel() + "*Rigid Body, ref node=1\n" + step(""), "*RIGID BODY has no nodes");

@@ -353,7 +353,8 @@ TEST_F(Decks, TellWhatAStepSaysBesides) {
       told(", EXPLICIT", "1e-6, 0.05, 5e-5"),
       HasSubstr("deck.inp:30: *DYNAMIC, least increment 5e-05 s: CalculiX adds mass where an element needs a "
                 "smaller step; none is added here; handler.method = \"mass-scaling\" with handler.step = 5e-05"));
-  EXPECT_EQ(told(", EXPLICIT", "1e-6, 0.05").find("increment"), std::string::npos);
+  EXPECT_THAT(told(", EXPLICIT", "1e-6, 0.05"), HasSubstr("first increment 1e-06 s: it does not bound the step"));
+  EXPECT_EQ(told(", EXPLICIT", ", 0.05").find("increment"), std::string::npos);
   EXPECT_EQ(told("", "1e-6, 0.05, 5e-5").find("least increment"), std::string::npos);
   EXPECT_THAT(told(", EXPLICIT", ", 0.05, , 2e-5"), HasSubstr("largest increment 2e-05 s: it does not bound the step"));
   EXPECT_THAT(told(", EXPLICIT, FIXED TIME INCREMENTATION", ", 0.05"),

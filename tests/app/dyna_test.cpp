@@ -416,7 +416,9 @@ TEST_F(DynaDecks, LetSurfacesTouch) {
   for (const std::string name : {"CONTACT_AUTOMATIC_SURFACE_TO_SURFACE", "CONTACT_SURFACE_TO_SURFACE"})
     expect(name, card(4, 1, 2, 3) + card(0.2),
            contact + friction + upper + "to_" + lower + contact + friction + lower + "to_" + upper);
-  expect("CONTACT_NODES_TO_SURFACE", card(3, 5, 4, 0) + card(0), contact + under + "to_" + top);
+  expect("CONTACT_NODES_TO_SURFACE", card(3, 5, 4, 0) + card(0) + card(0) + card(1, 0.1),
+         contact + under + "to_" + top);
+  EXPECT_THAT(out_, HasSubstr("the lines behind its third are of LS-DYNA's own search and penalty, and left out"));
   expect("CONTACT_AUTOMATIC_NODES_TO_SURFACE", card(2, 5, 3, 0) + card(0), contact + upper + "to_" + top);
   // On walls, of all nodes and of a set.
   const std::string wall =
@@ -513,6 +515,12 @@ TEST_F(DynaDecks, RefuseWhatWouldChangeTheMotion) {
          "*INITIAL_VELOCITY: has 2 lines; " + behind);
   for (const char* name : {"LOAD_BODY_X", "LOAD_BODY_Y", "LOAD_BODY_Z", "DAMPING_GLOBAL"})
     refuse(block(keyword(name, card(0), card(7, 9.81))), joinText("*", name, ": has one line; ", behind));
+  for (const auto& [name, lines] : {std::pair("MAT_ELASTIC", "one line"),
+                                    {"MAT_BLATZ-KO_RUBBER", "one line"},
+                                    {"MAT_MOONEY-RIVLIN_RUBBER", "2 lines"},
+                                    {"MAT_RIGID", "3 lines"}})
+    refuse(block(keyword(name, card(9, 1000.0, 1e6, 0.3, 1e4), card(0), card(0), card(8, 1000.0))),
+           joinText("*", name, ": has ", lines, "; ", behind));
   refuseAlways(block("*INITIAL_STRESS_SOLID\n"), "*INITIAL_STRESS_SOLID: changes the tangent");
   refuseAlways(block("*SET_NODE_GENERAL\n"), "*SET_NODE_GENERAL: makes or changes nodes");
   refuseAlways(block(keyword("DAMPING_PART_STIFFNESS", card(1, 0.1))), "COEF = 0.1: a share of LS-DYNA's own measure");

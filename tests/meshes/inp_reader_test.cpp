@@ -228,11 +228,39 @@ TEST_F(InpTest, TakesSetsAboveTheirNodesAndNodesAgain) {
               HasSubstr(":2: set early holds node 99, which no *NODE defines"));
   EXPECT_THAT(error(deck("*NODE\n1, 0., 0., 1e-9\n")),
               HasSubstr(":30: node 1 is defined a second time, at another place"));
-  // A node of the assembly is another one than that of an instance, wherever it lies.
-  EXPECT_THAT(error("*PART, NAME=p\n" + deck() +
-                    "*END PART\n*ASSEMBLY\n*INSTANCE, NAME=i, PART=p\n*END INSTANCE\n*NODE\n"
-                    "1, 0., 0., 0.\n*END ASSEMBLY\n"),
-              HasSubstr(": node 1 of the assembly is defined a second time"));
+}
+
+// A node or element of the assembly is another one than that of an instance with its number, wherever it lies.
+TEST_F(InpTest, KeepsNumbersOfTheAssemblyApart) {
+  const std::string part =
+      "*PART, NAME=p\n" + deck() + "*END PART\n*ASSEMBLY\n*INSTANCE, NAME=i, PART=p\n*END INSTANCE\n";
+  const std::string second = "*INSTANCE, NAME=j, PART=p\n9., 0., 0.\n*END INSTANCE\n", end = "*END ASSEMBLY\n";
+  const std::string own = "*NODE, NSET=own\n1, 0., 0., 0.5\n*ELEMENT, TYPE=MASS\n10, 1\n";
+  const std::string sets =
+      "*NSET, NSET=rp\n1\n*NSET, NSET=range, GENERATE\n1, 2\n*NSET, NSET=its, INSTANCE=i\n1\n*NSET, NSET=named\ni.2, "
+      "I.4\n*ELSET, ELSET=point\n10\n*ELSET, ELSET=solid\ni.10\n";
+  const auto hasMembers = [](const auto& all, const std::string& name) {
+    const auto set = all.find(name);
+    return set != all.end() && !set->second.empty();
+  };
+  for (const std::string& instances : {part, part + second}) {
+    const Mesh mesh = read(instances + own + sets + end);
+    EXPECT_EQ(mesh.nodeCount(), instances == part ? 12u : 24u);
+    for (const char* name : {"own", "rp", "range"}) EXPECT_FALSE(hasMembers(mesh.nodeSets, name)) << name;
+    EXPECT_THAT(mesh.nodeSets.at("its"), ElementsAre(0));
+    EXPECT_THAT(mesh.nodeSets.at("named"), ElementsAre(1, 3));
+    EXPECT_EQ(mesh.elementSets.at("solid").size(), 1u);
+    EXPECT_FALSE(hasMembers(mesh.elementSets, "point"));
+  }
+  // Those of the only instance, where the assembly has none of that number.
+  EXPECT_THAT(read(part + own + "*NSET, NSET=its\n2\n" + end).nodeSets.at("its"), ElementsAre(1));
+  const auto expectError = [&](const std::string& text, const std::string& what) {
+    EXPECT_THAT(error(text + end), HasSubstr(what));
+  };
+  expectError(part + second + own + "*NSET, NSET=its\n2\n", "set its holds node 2, which is none of the assembly");
+  expectError(part + second + own + "*NSET, NSET=named\nj.99\n", "the instance has no node \"j.99\"");
+  expectError(part + "*NSET, NSET=early\n1\n" + own, "node 1 of the assembly stands below a set that names it");
+  expectError(part + own + "*ELEMENT, TYPE=C3D4\n99, 1, 2, 3, 4\n", "element 99 of the assembly has node 1, a number");
 }
 
 // The axes of *SYSTEM turn a unit cube by a right angle about z and move it: x' is y, y' is -x.
