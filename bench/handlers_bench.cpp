@@ -16,13 +16,14 @@
 #include <ringwatch/base/median.h>
 #include <ringwatch/base/parallel.h>
 #include <ringwatch/base/random.h>
+#include <ringwatch/extensions/extensions.h>
+#include <ringwatch/extensions/fierz2013/fierz2013.h>
 #include <ringwatch/handlers/handler.h>
 #include <ringwatch/handlers/imex/implicit_cluster.h>
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/meshes/generators/generators.h>
 #include <ringwatch/meshes/modify/cut.h>
 #include <ringwatch/monitor/bounds/global_frequency.h>
-#include <ringwatch/verify/fierz2013/fierz2013.h>
 
 namespace ringwatch::bench {
 namespace {
@@ -251,4 +252,7 @@ void registerAll() {
 }  // namespace
 }  // namespace ringwatch::bench
 
-int main(int argc, char** argv) { return ringwatch::bench::runBenchmarks(argc, argv, ringwatch::bench::registerAll); }
+int main(int argc, char** argv) {
+  ringwatch::registerExtensions();
+  return ringwatch::bench::runBenchmarks(argc, argv, ringwatch::bench::registerAll);
+}

@@ -22,6 +22,7 @@
 #include <ringwatch/app/command/verify.h>
 #include <ringwatch/app/scene/integrator_catalog.h>
 #include <ringwatch/base/atomic_file.h>
+#include <ringwatch/extensions/extensions.h>
 #include <ringwatch/verify/work_precision/error_against_time.h>
 #ifdef RINGWATCH_HAS_SUNDIALS
 #include <ringwatch/integrators/sundials/implicit.h>
@@ -76,6 +77,7 @@ void writeWholePicture(const std::filesystem::path& folder, StudyEffort effort, 
 
 int main(int argc, char** argv) try {
   using namespace ringwatch;
+  registerExtensions();
   std::filesystem::path folder = "work_precision";
   bool quick = false, whole = false;
   for (const std::string argument : std::span(argv, static_cast<std::size_t>(argc)).subspan(1)) {

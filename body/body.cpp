@@ -14,6 +14,7 @@
 #include <ringwatch/body/discrete_forces.h>
 #include <ringwatch/body/rigid_block.h>
 #include <ringwatch/meshes/jacobian.h>
+#include <ringwatch/meshes/part_of_mesh.h>
 
 namespace ringwatch {
 namespace {
@@ -86,30 +87,10 @@ Body::Body(const Body& whole, const std::vector<std::vector<bool>>& chosen)
   bool fits = chosen.size() == all.blocks.size();
   for (std::size_t b = 0; fits && b < chosen.size(); ++b) fits = chosen[b].size() == all.blocks[b].elementCount();
   if (!fits) throw InputError("chosen elements: one flag is needed for each element of each block");
+  mesh_ = meshOfElements(all, chosen);
   mesh_.X = all.X;
   mesh_.nodeIds = all.nodeIds;
-  for (std::size_t b = 0; b < chosen.size(); ++b) {
-    const MeshBlock& from = all.blocks[b];
-    MeshBlock block{from.type, {}, {}};
-    for (std::size_t e = 0; e < from.elementCount(); ++e) {
-      if (!chosen[b][e]) continue;
-      block.ids.push_back(from.id(e));
-      block.connectivity.insert(block.connectivity.end(), from.element(e), from.element(e) + from.nodesPerElement());
-    }
-    mesh_.blocks.push_back(std::move(block));
-  }
   mesh_.nodeSets = all.nodeSets;
-  std::vector<std::vector<std::int32_t>> numbers;  // of the chosen elements in their blocks here
-  for (const std::vector<bool>& flags : chosen) {
-    std::int32_t next = 0;
-    std::vector<std::int32_t>& own = numbers.emplace_back();
-    for (const bool flag : flags) own.push_back(flag ? next++ : -1);
-  }
-  for (const auto& [name, elements] : all.elementSets) {
-    std::vector<ElementRef>& own = mesh_.elementSets[name];
-    for (const ElementRef e : elements)
-      if (const std::int32_t number = numbers[e.block][e.element]; number >= 0) own.push_back({e.block, number});
-  }
   double volumes[lanes];
   for (std::size_t b = 0; b < chosen.size(); ++b) {
     const ElementBlock& face = *whole.blocks_[b];

@@ -1,7 +1,7 @@
 # What is built: the folders of cmake/layers.txt and the parts of folders that RINGWATCH_COMPONENTS names, with all that they need.
 set(RINGWATCH_COMPONENTS all CACHE STRING
-  "What to build: all, or some of bounds, body, monitor, integrators, handlers, verify, gpu, distributed, mesh_files, sundials; what they need comes with them")
-set(RINGWATCH_PARTS tangents bounds mesh_files sundials compare)
+  "What to build: all, or some of bounds, body, monitor, integrators, handlers, verify, extensions, gpu, distributed, mesh_files, sundials; what they need comes with them")
+set(RINGWATCH_PARTS tangents bounds mesh_files sundials compare fierz2013)
 
 file(STRINGS ${CMAKE_CURRENT_SOURCE_DIR}/cmake/layers.txt ringwatch_layers REGEX "^[a-z]+:")
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/cmake/layers.txt)
@@ -23,6 +23,7 @@ set(ringwatch_needs_handlers ${ringwatch_needs_handlers} mesh_files) # a handler
 set(ringwatch_needs_mesh_files meshes)
 set(ringwatch_needs_sundials integrators)
 set(ringwatch_needs_compare verify)
+set(ringwatch_needs_fierz2013 extensions)
 
 set(ringwatch_wanted ${RINGWATCH_COMPONENTS})
 if("all" IN_LIST ringwatch_wanted)

@@ -176,16 +176,9 @@ std::vector<std::int32_t> nodesOfPieces(const std::vector<NumberedElements>& pie
   return nodes;
 }
 
-struct SentElement {
-  std::int64_t id;
-  std::int32_t number;
-  PatchPlace place;
-};
-
 /// The elements of a block that touch a node of this rank. nodes, owners: of all nodes of the piece, ascending.
 NumberedElements sendToOwners(Ranks& ranks, NumberedElements piece, const std::vector<std::int32_t>& nodes,
                               const std::vector<std::int32_t>& owners) {
-  NumberedElements result{piece.type, {}, {}, {}, {}};
   const std::size_t n = piece.width(), size = static_cast<std::size_t>(ranks.size());
   std::vector<std::vector<SentElement>> heads(size);
   std::vector<std::vector<std::int32_t>> corners(size);
@@ -197,27 +190,13 @@ NumberedElements sendToOwners(Ranks& ranks, NumberedElements piece, const std::v
       to.push_back(owners[std::lower_bound(nodes.begin(), nodes.end(), element[a]) - nodes.begin()]);
     sortUnique(to);
     for (const std::int32_t rank : to) {
-      heads[static_cast<std::size_t>(rank)].push_back({piece.ids[i], piece.numbers[i], piece.places[i]});
+      heads[static_cast<std::size_t>(rank)].push_back({0, piece.ids[i], piece.numbers[i], piece.places[i]});
       std::vector<std::int32_t>& list = corners[static_cast<std::size_t>(rank)];
       list.insert(list.end(), element, element + n);
     }
   }
   piece = NumberedElements{piece.type, {}, {}, {}, {}};
-  const std::vector<SentElement> came = std::move(exchange(ranks, heads).values);
-  const std::vector<std::int32_t> theirs = std::move(exchange(ranks, corners).values);
-  std::vector<std::int32_t> order(came.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(),
-            [&](std::int32_t p, std::int32_t q) { return came[p].number < came[q].number; });
-  result.nodes.reserve(theirs.size());
-  for (const std::int32_t i : order) {
-    result.numbers.push_back(came[i].number);
-    result.ids.push_back(came[i].id);
-    result.places.push_back(came[i].place);
-    const auto from = theirs.begin() + static_cast<std::ptrdiff_t>(n) * i;
-    result.nodes.insert(result.nodes.end(), from, from + static_cast<std::ptrdiff_t>(n));
-  }
-  return result;
+  return exchangeElements(ranks, piece.type, heads, corners);
 }
 
 struct NodeOfPart {

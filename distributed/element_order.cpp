@@ -52,43 +52,22 @@ std::vector<std::uint64_t> firstKeys(Ranks& ranks, const std::vector<std::vector
   return first;
 }
 
-struct ElementHead {
-  std::uint64_t key;
-  std::int64_t id;
-  std::int32_t number;
-};
-
 /// Sends the elements of a block to the ranks that their keys belong to, and sorts them there.
 NumberedElements sendAlongCurve(Ranks& ranks, MeshBlock block, std::int32_t firstNumber,
                                 const std::vector<std::int32_t>& sliceNodes, std::vector<std::uint64_t> keys,
                                 const std::vector<std::uint64_t>& firstKeyOf) {
-  NumberedElements result{block.type, {}, {}, {}, {}};
-  const std::size_t n = result.width(), size = static_cast<std::size_t>(ranks.size());
-  std::vector<std::vector<ElementHead>> heads(size);
+  const auto n = static_cast<std::size_t>(block.nodesPerElement()), size = static_cast<std::size_t>(ranks.size());
+  std::vector<std::vector<SentElement>> heads(size);
   std::vector<std::vector<std::int32_t>> nodes(size);
   for (std::size_t e = 0; e < keys.size(); ++e) {
     const auto to =
         static_cast<std::size_t>(std::upper_bound(firstKeyOf.begin(), firstKeyOf.end(), keys[e]) - firstKeyOf.begin());
-    heads[to].push_back({keys[e], block.id(e), firstNumber + static_cast<std::int32_t>(e)});
+    heads[to].push_back({keys[e], block.id(e), firstNumber + static_cast<std::int32_t>(e), {}});
     for (std::size_t a = 0; a < n; ++a) nodes[to].push_back(sliceNodes[block.element(e)[a]]);
   }
   block = MeshBlock{block.type, {}, {}};
   keys = {};
-  const std::vector<ElementHead> came = std::move(exchange(ranks, heads).values);
-  const std::vector<std::int32_t> theirs = std::move(exchange(ranks, nodes).values);
-  std::vector<std::int32_t> order(came.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](std::int32_t p, std::int32_t q) {
-    return came[p].key != came[q].key ? came[p].key < came[q].key : came[p].number < came[q].number;
-  });
-  result.nodes.reserve(theirs.size());
-  for (const std::int32_t i : order) {
-    result.numbers.push_back(came[i].number);
-    result.ids.push_back(came[i].id);
-    const auto from = theirs.begin() + static_cast<std::ptrdiff_t>(n) * i;
-    result.nodes.insert(result.nodes.end(), from, from + static_cast<std::ptrdiff_t>(n));
-  }
-  return result;
+  return exchangeElements(ranks, block.type, heads, nodes);
 }
 
 /// Where the patches of a block begin is known when all before it is: the ranks go through their pieces one after the
@@ -119,7 +98,6 @@ void placeInPatches(Ranks& ranks, NumberedElements& block) {
   for (const std::int32_t node : open)
     if (const auto at = positionOf(node); at < static_cast<std::ptrdiff_t>(known.size()) && known[at] == node)
       patchOf[at] = head.patch;
-  block.places.reserve(block.count());
   for (std::size_t i = 0; i < block.count(); ++i) {
     const std::int32_t place = first + static_cast<std::int32_t>(i);
     if (place % lanes == 0 && !takesAnotherBatch(static_cast<std::int32_t>(open.size()), static_cast<int>(n))) {
@@ -132,7 +110,7 @@ void placeInPatches(Ranks& ranks, NumberedElements& block) {
       patchOf[at] = head.patch;
       open.push_back(known[at]);
     }
-    block.places.push_back({head.patch, place});
+    block.places[i] = {head.patch, place};
   }
   if (ranks.rank() + 1 == ranks.size()) return;
   head.nodes = static_cast<std::int32_t>(open.size());
@@ -141,6 +119,27 @@ void placeInPatches(Ranks& ranks, NumberedElements& block) {
 }
 
 }  // namespace
+
+NumberedElements exchangeElements(Ranks& ranks, ElementType type, std::vector<std::vector<SentElement>>& heads,
+                                  std::vector<std::vector<std::int32_t>>& nodes) {
+  NumberedElements result{type, {}, {}, {}, {}};
+  const std::vector<SentElement> came = std::move(exchange(ranks, heads).values);
+  const std::vector<std::int32_t> theirs = std::move(exchange(ranks, nodes).values);
+  std::vector<std::int32_t> order(came.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](std::int32_t p, std::int32_t q) {
+    return came[p].key != came[q].key ? came[p].key < came[q].key : came[p].number < came[q].number;
+  });
+  const auto n = static_cast<std::ptrdiff_t>(result.width());
+  result.nodes.reserve(theirs.size());
+  for (const std::int32_t i : order) {
+    result.numbers.push_back(came[i].number);
+    result.ids.push_back(came[i].id);
+    result.places.push_back(came[i].place);
+    result.nodes.insert(result.nodes.end(), theirs.begin() + n * i, theirs.begin() + n * (i + 1));
+  }
+  return result;
+}
 
 std::vector<NumberedElements> orderElements(Ranks& ranks, SharedMesh& mesh, const Eigen::Vector3d& low,
                                             const Eigen::Vector3d& high) {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/meshes/part_of_mesh.h>
 #include <ringwatch/monitor/energy_balance.h>
 
 namespace ringwatch {
@@ -19,23 +20,22 @@ RankBody::RankBody(const Body& whole, const Partition& partition, int rank, int 
   const Mesh& all = whole.mesh();
   const auto ownerOf = [&](std::int32_t node) { return partition.ofNode[node]; };
 
-  std::vector<MeshBlock> own;
+  std::vector<std::vector<bool>> touched;
   std::vector<std::vector<std::int32_t>> elements;
   for (std::size_t b = 0; b < all.blocks.size(); ++b) {
-    MeshBlock& block = own.emplace_back(MeshBlock{all.blocks[b].type, {}, {}});
+    std::vector<bool>& flags = touched.emplace_back(all.blocks[b].elementCount());
     std::vector<std::int32_t>& numbers = elements.emplace_back();
     for (std::int32_t e = 0; e < whole.blocks()[b]->elementCount(); ++e) {
       const auto nodes = whole.blocks()[b]->nodesOf(e);
-      if (std::none_of(nodes.begin(), nodes.end(), [&](std::int32_t node) { return ownerOf(node) == rank; })) continue;
-      numbers.push_back(e);
-      block.ids.push_back(all.blocks[b].id(e));
-      block.connectivity.insert(block.connectivity.end(), nodes.begin(), nodes.end());
+      flags[e] = std::any_of(nodes.begin(), nodes.end(), [&](std::int32_t node) { return ownerOf(node) == rank; });
+      if (flags[e]) numbers.push_back(e);
     }
   }
+  Mesh held = meshOfElements(all, touched);
   std::vector<std::int32_t> owned;
   for (std::int32_t node = 0; node < whole.nodeCount(); ++node)
     if (ownerOf(node) == rank) owned.push_back(node);
-  RankPart part(rank, std::move(own), std::move(elements), std::move(owned), ownerOf);
+  RankPart part(rank, std::move(held.blocks), std::move(elements), std::move(owned), ownerOf);
 
   Mesh& mesh = part.mesh;
   const std::vector<std::int32_t>& nodes = part.globalNodes;
@@ -53,14 +53,7 @@ RankBody::RankBody(const Body& whole, const Partition& partition, int rank, int 
       if (const std::int32_t local = part.localNode(node); local >= 0) set.push_back(local);
     std::sort(set.begin(), set.end());
   }
-  for (const auto& [name, members] : all.elementSets) {
-    std::vector<ElementRef>& set = mesh.elementSets[name];
-    for (const ElementRef e : members) {
-      const std::vector<std::int32_t>& held = part.globalElements[e.block];
-      const auto found = std::lower_bound(held.begin(), held.end(), static_cast<std::int32_t>(e.element));
-      if (found != held.end() && *found == e.element) set.push_back({e.block, found - held.begin()});
-    }
-  }
+  mesh.elementSets = std::move(held.elementSets);
   Blocks blocks;
   for (std::size_t b = 0; b < all.blocks.size(); ++b) {
     const ElementBlock& from = *whole.blocks()[b];

@@ -3,20 +3,15 @@
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/registry.h>
-#include <ringwatch/handlers/fe_pbd/fe_pbd.h>
 #include <ringwatch/handlers/imex/imex.h>
 #include <ringwatch/handlers/local_time_stepping/local_time_stepping.h>
 #include <ringwatch/handlers/mass_scaling/mass_scaling.h>
-#include <ringwatch/handlers/modal_filter/modal_filter.h>
 
 namespace ringwatch {
 namespace {
 
 /// Every handler of the library, one line each.
-constexpr std::array entries{
-    handlerEntry<LocalTimeStepping>(), handlerEntry<Imex>(),        handlerEntry<FePbd>(),
-    handlerEntry<ModalFilter>(),       handlerEntry<MassScaling>(),
-};
+constexpr std::array entries{handlerEntry<LocalTimeStepping>(), handlerEntry<Imex>(), handlerEntry<MassScaling>()};
 
 Registry<HandlerEntry>& registry() {
   static Registry<HandlerEntry> handlers("handler", entries);

@@ -9,6 +9,7 @@
 #include <ringwatch/base/error.h>
 #include <ringwatch/meshes/adjacency.h>
 #include <ringwatch/meshes/check_texts.h>
+#include <ringwatch/meshes/part_of_mesh.h>
 #include <ringwatch/meshes/quality.h>
 
 namespace ringwatch {
@@ -70,14 +71,6 @@ double leastOf(const ElementInfo& info, double length) {
 bool nodesInRange(const Mesh& mesh, const std::int32_t* nodes, int count) {
   return std::all_of(nodes, nodes + count,
                      [&](std::int32_t n) { return n >= 0 && static_cast<std::size_t>(n) < mesh.nodeCount(); });
-}
-
-std::vector<bool> usedNodes(const Mesh& mesh) {
-  std::vector<bool> used(mesh.nodeCount());
-  for (const MeshBlock& block : mesh.blocks)
-    for (const std::int32_t n : block.connectivity)
-      if (n >= 0 && static_cast<std::size_t>(n) < used.size()) used[n] = true;
-  return used;
 }
 
 std::int64_t nodeId(const Mesh& mesh, std::int32_t n) { return n >= 0 ? mesh.nodeId(n) : n; }
@@ -257,31 +250,12 @@ double leastJacobian(const ElementInfo& info, const NodeVectors& X, const std::i
 
 void dropUnusedNodes(Mesh& mesh, const std::string& source, std::vector<std::string>* notes) {
   const std::vector<bool> used = usedNodes(mesh);
-  const std::size_t kept = std::count(used.begin(), used.end(), true);
-  const std::size_t dropped = used.size() - kept;
+  const auto first = std::find(used.begin(), used.end(), false) - used.begin();
+  const auto dropped = std::count(used.begin(), used.end(), false);
   if (dropped == 0) return;
-  const std::int32_t first = std::find(used.begin(), used.end(), false) - used.begin();
   if (notes != nullptr)
-    notes->push_back(droppedNodesNote(source, static_cast<std::int64_t>(dropped), nodeId(mesh, first)));
-  std::vector<std::int32_t> newIndex(used.size(), -1);
-  std::vector<std::int64_t> ids;
-  ids.reserve(kept);
-  std::int32_t next = 0;
-  for (std::size_t n = 0; n < used.size(); ++n) {
-    if (!used[n]) continue;
-    mesh.X.col(next) = mesh.X.col(n).eval();
-    ids.push_back(mesh.nodeId(n));
-    newIndex[n] = next++;
-  }
-  mesh.X.conservativeResize(3, next);
-  mesh.nodeIds = std::move(ids);
-  for (MeshBlock& block : mesh.blocks)
-    for (std::int32_t& n : block.connectivity)
-      if (n >= 0 && static_cast<std::size_t>(n) < used.size()) n = newIndex[n];
-  for (auto& [name, nodes] : mesh.nodeSets) {
-    std::erase_if(nodes, [&](std::int32_t n) { return newIndex[n] < 0; });
-    for (std::int32_t& n : nodes) n = newIndex[n];
-  }
+    notes->push_back(droppedNodesNote(source, dropped, nodeId(mesh, static_cast<std::int32_t>(first))));
+  keepUsedNodes(mesh);
 }
 
 std::vector<int> otherOrderOfMiddles(const Mesh& mesh, const ElementInfo& info, const std::int32_t* nodes) {

@@ -36,29 +36,39 @@ std::string exampleListing() {
   return text;
 }
 
-void writeNewScene(const std::filesystem::path& file, std::string_view text) {
+void requireNewScene(const std::filesystem::path& file) {
   if (std::filesystem::exists(file))
     throw InputError(fmt::format("{} is there already; choose another name or folder", file.string()));
-  writeFileAtomically(file.parent_path() / schemaFile, schemaOf("scene").dump(2) + "\n");
+}
+
+void writeScene(const std::filesystem::path& file, std::string_view text) {
   writeFileAtomically(file, fmt::format("{}./{}\n{}", schemaMark, schemaFile, text));
+}
+
+void writeSceneSchema(const std::filesystem::path& folder) {
+  writeFileAtomically(folder / schemaFile, schemaOf("scene").dump(2) + "\n");
 }
 
 std::string copyExamples(const std::string& name, const std::filesystem::path& folder) {
   std::vector<std::string> known{"all"};
-  std::string text;
-  for (const ExampleFile& example : exampleFiles()) known.emplace_back(stemOf(example));
+  std::vector<const ExampleFile*> wanted;
   for (const ExampleFile& example : exampleFiles()) {
-    if (name != "all" && name != stemOf(example)) continue;
-    const std::filesystem::path file = folder / example.name;
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error) throw InputError(fmt::format("--out: cannot write {}: {}", folder.string(), error.message()));
-    writeNewScene(file, withoutSchema(example.text));
-    text += fmt::format("wrote {}\n", file.string());
+    known.emplace_back(stemOf(example));
+    if (name == "all" || name == stemOf(example)) wanted.push_back(&example);
   }
-  if (text.empty())
+  if (wanted.empty())
     throw InputError(fmt::format("examples: unknown {}; {}known are {}", inQuotes(name), didYouMean(name, known),
                                  fmt::join(known, ", ")));
+  for (const ExampleFile* example : wanted) requireNewScene(folder / example->name);
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw InputError(fmt::format("--out: cannot write {}: {}", folder.string(), error.message()));
+  std::string text;
+  for (const ExampleFile* example : wanted) {
+    writeScene(folder / example->name, withoutSchema(example->text));
+    text += fmt::format("wrote {}\n", (folder / example->name).string());
+  }
+  writeSceneSchema(folder);
   return text;
 }
 

@@ -16,12 +16,16 @@ std::span<const ExampleFile> exampleFiles();
 
 /// Every example with the first sentence about it, a line each.
 std::string exampleListing();
-/// Writes an example, by its name without .toml, or all of them into a folder; returns what was written. Throws
-/// InputError for an unknown name and for a file that is there already.
+/// Writes an example, by its name without .toml, or all of them into a folder, with the schema of scenes; returns what
+/// was written. Throws InputError for an unknown name and, before anything is written, for a file that is there
+/// already.
 std::string copyExamples(const std::string& name, const std::filesystem::path& folder);
 
-/// Writes a new scene behind a line that names its schema for editors, and the schema beside it. Throws InputError
-/// where the scene is there already.
-void writeNewScene(const std::filesystem::path& file, std::string_view text);
+/// Throws InputError where there is such a file.
+void requireNewScene(const std::filesystem::path& file);
+/// Writes a scene behind a line that names its schema for editors, as writeSceneSchema() puts it beside it.
+void writeScene(const std::filesystem::path& file, std::string_view text);
+/// Writes the schema of scenes into a folder.
+void writeSceneSchema(const std::filesystem::path& folder);
 
 }  // namespace ringwatch

@@ -42,6 +42,7 @@ std::vector<double> numbersOf(const std::string& answer, std::size_t count, cons
 }  // namespace
 
 std::string initScene(InitOptions options, const Ask& ask) {
+  requireNewScene(options.scene);
   const std::filesystem::path folder = options.scene.parent_path();
   if (!options.mesh) options.mesh = ask ? ask("Mesh file (Enter: a bar)") : "";
   const bool own = !options.mesh->empty();
@@ -75,8 +76,8 @@ std::string initScene(InitOptions options, const Ask& ask) {
   }
   const double end = options.end.value_or(std::stod(fmt::format("{:.2g}", crossings * crossing)));
 
-  writeNewScene(options.scene,
-                fmt::format(R"(# Run it: ringwatch run {0} --report
+  writeScene(options.scene,
+             fmt::format(R"(# Run it: ringwatch run {0} --report
 # ringwatch help scene SECTION explains the keys of a section.
 
 [mesh]
@@ -103,7 +104,7 @@ acceleration = [0, 0, -9.81]
 every = {7:.3g}            # a frame for ParaView and the report
 fields = ["critical_step", "von_mises"]
 )",
-                            options.scene.string(), mesh, young, poisson, density, end, *options.fix, end / frames));
+                         options.scene.string(), mesh, young, poisson, density, end, *options.fix, end / frames));
   try {
     std::vector<std::string> notes;
     const Scene scene = readScene(options.scene);
@@ -112,6 +113,7 @@ fields = ["critical_step", "von_mises"]
     std::filesystem::remove(options.scene);
     throw;
   }
+  writeSceneSchema(folder);
   return fmt::format("wrote {0}; next: ringwatch run {0} --report\n", options.scene.string());
 }
 

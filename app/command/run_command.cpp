@@ -190,16 +190,20 @@ struct RunCommand final : Command {
     for (std::string& note : bodyNotes(body)) options.notes.push_back(std::move(note));
     const RunResult result = runScene(description, body, options);
     watch.reset();
-    // What ended it is what it says; what is missing behind that is of no moment.
-    const bool cutShort = result.canGoOn();
+    std::string page;
     try {
-      std::string page;
       if (report || live)
         page = reportText(
             neededReportWriters().ofRun({.folder = options.folder, .output = {}, .frames = 0, .live = nullptr}));
+    } catch (const std::exception& fault) {
+      complain(
+          fmt::format("--{}: the results are there, but the page is not: {}", live ? "live" : "report", fault.what()),
+          result.exitStatus());
+    }
+    try {
       if (!quiet) printOut(summaryText(description, body, result, options.folder, page));
     } catch (const InputError&) {
-      if (!cutShort) throw;  // the terminal may be what is gone
+      if (!result.canGoOn()) throw;  // the terminal may be what is gone
     }
     if (result.reason == ExitReason::failed) return complain(result.reasonText, result.exitStatus());
     return result.exitStatus();

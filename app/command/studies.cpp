@@ -2,7 +2,6 @@
 #include <ringwatch/app/scene/integrator_catalog.h>
 #include <ringwatch/base/registry.h>
 #include <ringwatch/verify/elements/elements.h>
-#include <ringwatch/verify/fierz2013/fierz2013.h>
 #include <ringwatch/verify/handlers/handlers.h>
 #include <ringwatch/verify/integrators/integrators.h>
 #include <ringwatch/verify/monitor/monitor.h>
@@ -18,9 +17,6 @@ namespace {
 const StudyInfo studiesOfLibrary[] = {
     {"elements", "every element and quadrature rule: rank, patch test, derivatives, convergence, frequencies, locking",
      verifyElements},
-    {"fierz2013",
-     "Fierz's cube and bar with small elements, stretched, compressed, bent and twisted with every handler",
-     [](StudyEffort effort) { return verifyFierz2013(effort, integratorCatalog().entries()); }, "deformations"},
     {"handlers",
      "every handler beyond the critical step: what it takes, error, cost, energy and momentum over many steps",
      verifyHandlers},

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include <ringwatch/base/error.h>
-#include <ringwatch/base/sort_unique.h>
+#include <ringwatch/meshes/part_of_mesh.h>
 
 namespace ringwatch {
 namespace {
@@ -50,41 +50,20 @@ std::string pieceName(int rank) { return fmt::format("rank_{}.vtu", rank); }
 
 RankFrames::RankFrames(Ranks& ranks, const RankBody& part) : ranks_(ranks) {
   const Mesh& mesh = part.body().mesh();
-  std::vector<std::int32_t> placeOfNode(mesh.nodeCount(), -1);
-  std::vector<std::vector<std::int32_t>> placeOfElement;
+  std::vector<std::vector<bool>> counted;
   std::size_t through = 0;
   for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
-    const MeshBlock& from = mesh.blocks[b];
-    MeshBlock& block = piece_.blocks.emplace_back(MeshBlock{from.type, {}, {}});
-    std::vector<std::int32_t>& places = placeOfElement.emplace_back(from.elementCount(), -1);
-    for (std::size_t e = 0; e < from.elementCount(); ++e, ++through) {
-      if (!part.counts({b, e})) continue;
-      places[e] = static_cast<std::int32_t>(block.elementCount());
-      elements_.push_back(through);
-      block.ids.push_back(from.id(e));
-      for (int a = 0; a < from.nodesPerElement(); ++a) {
-        const std::int32_t node = from.element(e)[a];
-        block.connectivity.push_back(node);  // of the part, until all nodes are known
-        nodes_.push_back(static_cast<std::size_t>(node));
-      }
+    std::vector<bool>& own = counted.emplace_back(mesh.blocks[b].elementCount());
+    for (std::size_t e = 0; e < own.size(); ++e, ++through) {
+      own[e] = part.counts({b, e});
+      if (own[e]) elements_.push_back(through);
     }
   }
-  sortUnique(nodes_);
-  piece_.X.resize(3, static_cast<Eigen::Index>(nodes_.size()));
-  for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    placeOfNode[nodes_[i]] = static_cast<std::int32_t>(i);
-    piece_.X.col(static_cast<Eigen::Index>(i)) = mesh.X.col(static_cast<Eigen::Index>(nodes_[i]));
-    piece_.nodeIds.push_back(mesh.nodeId(nodes_[i]));
-  }
-  for (MeshBlock& block : piece_.blocks)
-    for (std::int32_t& node : block.connectivity) node = placeOfNode[node];
-  for (const auto& [name, members] : mesh.nodeSets)
-    for (std::vector<std::int32_t>& own = piece_.nodeSets[name]; const std::int32_t node : members)
-      if (placeOfNode[node] >= 0) own.push_back(placeOfNode[node]);
-  for (const auto& [name, members] : mesh.elementSets)
-    for (std::vector<ElementRef>& own = piece_.elementSets[name]; const ElementRef e : members)
-      if (const std::int32_t place = placeOfElement[e.block][e.element]; place >= 0) own.push_back({e.block, place});
-
+  piece_ = meshOfElements(mesh, counted);
+  piece_.X = mesh.X;
+  piece_.nodeIds = mesh.nodeIds;
+  piece_.nodeSets = mesh.nodeSets;
+  nodes_ = keepUsedNodes(piece_);
   const int writes = elements_.empty() ? 0 : 1;
   std::vector<int> all(ranks.rank() == 0 ? ranks.size() : 0);
   MPI_Gather(&writes, 1, MPI_INT, all.data(), 1, MPI_INT, 0, ranks.communicator());

@@ -158,8 +158,7 @@ class Trials:
         former, new, faults = whole["former"], whole["files"], []
         done = ended.returncode == whole["ended"].returncode and not ended.stderr
         runs = CASES[name][0] == "run"
-        # Refused before it began, or done to its end but for its page.
-        refused = runs and ended.returncode == 2 and not ("--report" in CASES[name] and self.is_done(files, new))
+        refused = runs and ended.returncode == 2  # before it began
         for path in sorted(former.keys() | new.keys() | files.keys()):
             content = files.get(path)
             if content is None:
@@ -181,10 +180,6 @@ class Trials:
             if summary is None or json.loads(summary)["exit_status"] != 1:
                 faults.append("the summary does not tell of the end")
         return faults
-
-    @staticmethod
-    def is_done(files, new):
-        return all(files.get(path) == content or path.suffix in (".json", ".html") for path, content in new.items())
 
     def faults_of_resumption(self, name, folder, whole):
         out = "part" if name == "resume" else "old"

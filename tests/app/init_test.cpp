@@ -34,7 +34,7 @@ TEST_F(Program, InitTakesAMeshWithItsMaterial) {
   expectRefused("init scenes/bar.toml --mesh bar.msh", "--young is required with a mesh");
   expectRefused("init scenes/bar.toml --mesh none.msh" + std::string(material), "none.msh");
   expectRefused("init scenes/bar.toml --mesh bar.msh --fix 'q < 1'" + std::string(material), "q");
-  EXPECT_FALSE(exists("scenes/bar.toml"));
+  EXPECT_EQ(shell("ls scenes").out, "");
   ASSERT_EQ(call("init scenes/bar.toml --mesh bar.msh --fix 'x > 0.199' --end 0.01" + std::string(material)).status, 0);
   ASSERT_EQ(call("run scenes/bar.toml --out out").status, 0);
   // The same mesh and the same material: the bracket is that of inspect, with the end held.
@@ -60,6 +60,8 @@ TEST_F(Program, ExamplesAreListedAndCopied) {
   EXPECT_EQ(shell("tail -n +2 '" + source + "' > a; tail -n +2 mine/swinging_bar.toml > b; cmp a b").status, 0);
   EXPECT_EQ(call("run mine/swinging_bar.toml --set integrator.end=0.01 --out out").status, 0);
   expectRefused("examples swinging_bar --out mine", "mine/swinging_bar.toml is there already");
+  expectRefused("examples all --out mine", "mine/swinging_bar.toml is there already");
+  EXPECT_EQ(shell("ls mine").out, "scene.schema.json\nswinging_bar.toml\n");
   expectRefused("examples swinging_bra", "did you mean \"swinging_bar\"?");
 }
 

@@ -83,6 +83,7 @@ TEST_F(Registration, AHandlerTakesItsOwnKey) {
   EXPECT_EQ(handler["method"], "substeps");
   EXPECT_EQ(handler["substeps"], 20);
   EXPECT_GT(handler["handled_elements"].get<int>(), 0);
+  expectRefused(run + "fe-pbd", "substeps");  // an extension, which this program does not register
   expectRefused(run + "substeps --set handler.substeps=101", "must be >= 1 and <= 100");
   expectRefused(run + "imex --set handler.substeps=2", "is a key of substeps; \"imex\" does not take it");
   expectRefused(run + "substeps --set handler.selection=fierz-ring", "must be \"certified\"");

@@ -27,6 +27,7 @@ using test::tiny;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
+using ::testing::StartsWith;
 
 std::string unpackedBase64(const std::string& text) {
   std::string bytes;
@@ -367,6 +368,19 @@ TEST_F(Report, OfContactThatGovernsNamesItAndAPenaltyThatWouldNot) {
   const Json softer = reportIn(folder_.read("s/report.html"))["verdict"];
   EXPECT_EQ(softer["title"], "Stable");
   EXPECT_THAT(softer["remedies"].dump(), AllOf(Not(HasSubstr("A softer contact")), Not(HasSubstr("handler"))));
+}
+
+TEST_F(Report, ThatCannotBeWrittenLeavesTheRunItsStatus) {
+  folder_.write("tiny.toml", tiny);
+  ASSERT_EQ(shell("mkdir -p r/report.html/in_the_way").status, 0);
+  for (const char* option : {"--report", "--live"}) {
+    const test::Outcome run = call("run tiny.toml --quiet --set integrator.step=5e-4 --out r " + std::string(option));
+    EXPECT_EQ(run.status, 0);
+    EXPECT_THAT(run.err, AllOf(StartsWith("ringwatch: " + std::string(option) + ": the results are there, but the page"),
+                               HasSubstr("r/report.html")));
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1);
+    EXPECT_EQ(json("r/summary.json")["exit_status"], 0);
+  }
 }
 
 TEST_F(Report, OfSpringsThatGovernSaysSo) {

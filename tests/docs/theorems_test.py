@@ -9,7 +9,7 @@ import re
 import sys
 
 # Folders whose headers state bounds, and the words by which they do.
-BOUNDS = ("monitor", "integrators", "handlers")
+BOUNDS = ("monitor", "integrators", "handlers", "extensions")
 STATES_A_BOUND = re.compile(r"\b(proven|proves|safe)\b")
 CITATION = re.compile(r"\bTheorems? (\d+(?:(?:, | and | to )\d+)*)(?:, (docs/theory/\w+\.md))?")
 

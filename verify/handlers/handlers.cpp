@@ -102,7 +102,7 @@ constexpr Allowed exchanged{2e-14, 1.5e-13};  // momentum that nodes exchange
 constexpr Allowed turned{2e-14, 5e-12};       // the same of angular momentum
 // `imex` with linear equations, those of the tables of docs/handlers.md.
 std::vector<Variant> allVariants() {
-  return {
+  std::vector<Variant> all{
       {.name = "imex",
        .handler = "imex",
        .options = linearWithDissipation(0.1),
@@ -192,6 +192,9 @@ std::vector<Variant> allVariants() {
        .cubeError = {},
        .drift = AllowedDrift{swing, exchanged, turned}},
       {.name = "mass-scaling", .handler = "mass-scaling", .options = {}, .barError = {}, .cubeError = {}, .drift = {}}};
+  // fe-pbd and modal-filter are there where a program has registered them.
+  std::erase_if(all, [](const Variant& variant) { return findHandler(variant.handler) == nullptr; });
+  return all;
 }
 
 struct HandledMotion {

@@ -8,8 +8,8 @@
 
 #include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
-#include <ringwatch/handlers/modal_filter/filtered_stiffness.h>
-#include <ringwatch/handlers/modal_filter/modal_filter.h>
+#include <ringwatch/extensions/modal_filter/filtered_stiffness.h>
+#include <ringwatch/extensions/modal_filter/modal_filter.h>
 #include <ringwatch/meshes/quality.h>
 #include <tests/handlers/handler_cases.h>
 

@@ -1,4 +1,4 @@
-#include <ringwatch/handlers/modal_filter/filtered_stiffness.h>
+#include <ringwatch/extensions/modal_filter/filtered_stiffness.h>
 
 #include <cmath>
 

@@ -1,9 +1,9 @@
-#include <ringwatch/handlers/fe_pbd/relaxed_tetrahedra.h>
+#include <ringwatch/extensions/fe_pbd/relaxed_tetrahedra.h>
 
 #include <algorithm>
 
 #include <ringwatch/base/eigen_instances.h>
-#include <ringwatch/handlers/tetrahedra/corotated_tetrahedron.h>
+#include <ringwatch/extensions/tetrahedra/corotated_tetrahedron.h>
 
 namespace ringwatch {
 namespace {

@@ -1,10 +1,10 @@
 // The replica of Fierz's comparison of handlers (2013), quick, and how its faces move.
 #include <gtest/gtest.h>
 
+#include <ringwatch/extensions/fierz2013/fierz2013.h>
 #include <ringwatch/handlers/handler.h>
-#include <ringwatch/verify/fierz2013/fierz2013.h>
 
-#include "report_tools.h"
+#include <tests/verify/report_tools.h>
 
 namespace ringwatch {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 #include <memory>
 
-#include <ringwatch/handlers/fe_pbd/relaxed_tetrahedra.h>
-#include <ringwatch/handlers/relaxing_handler.h>
+#include <ringwatch/extensions/fe_pbd/relaxed_tetrahedra.h>
+#include <ringwatch/extensions/tetrahedra/relaxing_handler.h>
 
 namespace ringwatch {
 

@@ -5,6 +5,7 @@
 
 #include <ringwatch/app/command/command_line.h>
 #include <ringwatch/app/command/verify.h>
+#include <ringwatch/extensions/extensions.h>
 
 namespace ringwatch {
 
@@ -19,5 +20,6 @@ int main(int argc, char** argv) {
   mallopt(M_MMAP_MAX, 0);
   mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
 #endif
+  ringwatch::registerExtensions();
   return ringwatch::runCommandLine(argc, argv);
 }

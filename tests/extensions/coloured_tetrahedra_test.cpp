@@ -3,8 +3,8 @@
 
 #include <Eigen/Geometry>
 
-#include <ringwatch/handlers/fe_pbd/relaxed_tetrahedra.h>
-#include <ringwatch/handlers/tetrahedra/corotated_tetrahedron.h>
+#include <ringwatch/extensions/fe_pbd/relaxed_tetrahedra.h>
+#include <ringwatch/extensions/tetrahedra/corotated_tetrahedron.h>
 #include <tests/handlers/handler_cases.h>
 
 namespace ringwatch {

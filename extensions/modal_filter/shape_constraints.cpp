@@ -1,4 +1,4 @@
-#include <ringwatch/handlers/modal_filter/shape_constraints.h>
+#include <ringwatch/extensions/modal_filter/shape_constraints.h>
 
 #include <algorithm>
 #include <cmath>

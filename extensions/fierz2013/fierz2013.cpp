@@ -1,4 +1,4 @@
-#include <ringwatch/verify/fierz2013/fierz2013.h>
+#include <ringwatch/extensions/fierz2013/fierz2013.h>
 
 #include <algorithm>
 #include <array>

@@ -3,9 +3,9 @@
 #include <optional>
 
 #include <ringwatch/base/infinity.h>
-#include <ringwatch/handlers/modal_filter/filtered_tetrahedra.h>
-#include <ringwatch/handlers/modal_filter/shape_constraints.h>
-#include <ringwatch/handlers/relaxing_handler.h>
+#include <ringwatch/extensions/modal_filter/filtered_tetrahedra.h>
+#include <ringwatch/extensions/modal_filter/shape_constraints.h>
+#include <ringwatch/extensions/tetrahedra/relaxing_handler.h>
 
 namespace ringwatch {
 

@@ -1,4 +1,4 @@
-#include <ringwatch/handlers/relaxing_handler.h>
+#include <ringwatch/extensions/tetrahedra/relaxing_handler.h>
 
 #include <utility>
 

@@ -1,4 +1,4 @@
-#include <ringwatch/handlers/modal_filter/filtered_tetrahedra.h>
+#include <ringwatch/extensions/modal_filter/filtered_tetrahedra.h>
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 #include <Eigen/QR>
 
 #include <ringwatch/base/eigen_instances.h>
-#include <ringwatch/handlers/modal_filter/filtered_stiffness.h>
-#include <ringwatch/handlers/tetrahedra/corotated_tetrahedron.h>
+#include <ringwatch/extensions/modal_filter/filtered_stiffness.h>
+#include <ringwatch/extensions/tetrahedra/corotated_tetrahedron.h>
 
 namespace ringwatch {
 namespace {

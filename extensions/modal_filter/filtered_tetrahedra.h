@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include <ringwatch/handlers/tetrahedra/coloured_tetrahedra.h>
+#include <ringwatch/extensions/tetrahedra/coloured_tetrahedra.h>
 
 namespace ringwatch {
 

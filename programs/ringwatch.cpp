@@ -17,6 +17,7 @@
 #include <ringwatch/app/command/verify.h>
 #include <ringwatch/app/output/exit_status.h>
 #include <ringwatch/app/report/run_report.h>
+#include <ringwatch/extensions/extensions.h>
 
 namespace ringwatch {
 
@@ -74,5 +75,6 @@ int main(int argc, char** argv) {
   ringwatch::keepMemoryInReserve();
   if (const std::string_view program = ringwatch::programFor(argc, argv); !program.empty())
     return ringwatch::become(program, argv);
+  ringwatch::registerExtensions();
   return ringwatch::runCommandLine(argc, argv);
 }

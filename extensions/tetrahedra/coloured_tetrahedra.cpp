@@ -1,4 +1,4 @@
-#include <ringwatch/handlers/tetrahedra/coloured_tetrahedra.h>
+#include <ringwatch/extensions/tetrahedra/coloured_tetrahedra.h>
 
 #include <algorithm>
 #include <cmath>

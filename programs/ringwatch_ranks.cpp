@@ -12,6 +12,7 @@
 #include <ringwatch/app/ranks/rank_program.h>
 #include <ringwatch/app/ranks/rank_run.h>
 #include <ringwatch/app/report/run_report.h>
+#include <ringwatch/extensions/extensions.h>
 
 namespace ringwatch {
 
@@ -55,6 +56,7 @@ int runProgram(int argc, char** argv) {
   Ranks ranks(MPI_COMM_WORLD);
   if (!isOneProgram(ranks.size())) return static_cast<int>(ExitStatus::badInput);
   if (ranks.rank() != 0) beSilent();
+  registerExtensions();
   const MpiProgram program(ranks);
   return runCommandLine(argc, argv, &program);
 }

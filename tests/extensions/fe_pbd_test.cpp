@@ -8,7 +8,7 @@
 
 #include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
-#include <ringwatch/handlers/fe_pbd/fe_pbd.h>
+#include <ringwatch/extensions/fe_pbd/fe_pbd.h>
 #include <tests/handlers/handler_cases.h>
 
 namespace ringwatch {

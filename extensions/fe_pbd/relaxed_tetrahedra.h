@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <vector>
 
-#include <ringwatch/handlers/tetrahedra/coloured_tetrahedra.h>
+#include <ringwatch/extensions/tetrahedra/coloured_tetrahedra.h>
 
 namespace ringwatch {
 

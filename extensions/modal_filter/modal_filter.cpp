@@ -1,4 +1,4 @@
-#include <ringwatch/handlers/modal_filter/modal_filter.h>
+#include <ringwatch/extensions/modal_filter/modal_filter.h>
 
 #include <algorithm>
 

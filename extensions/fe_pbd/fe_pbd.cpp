@@ -1,4 +1,4 @@
-#include <ringwatch/handlers/fe_pbd/fe_pbd.h>
+#include <ringwatch/extensions/fe_pbd/fe_pbd.h>
 
 #include <algorithm>
 
