@@ -166,7 +166,7 @@ struct RunCommand final : Command {
     request.quiet = quiet;
     request.interrupt = &interrupted;
     request.checkpoint = &checkpointWanted;
-    return call.ranks->run(request, [](const std::string& text) { printOut(text); });
+    return call.ranks->run(request, [](const std::string& text) { printOut(labelled(text)); });
   }
 
   /// Goes on with a run that was stopped.
@@ -197,7 +197,7 @@ struct RunCommand final : Command {
       if (report || live)
         page = reportText(
             neededReportWriters().ofRun({.folder = options.folder, .output = {}, .frames = 0, .live = nullptr}));
-      if (!quiet) printOut(summaryText(description, body, result, options.folder, page));
+      if (!quiet) printOut(labelled(summaryText(description, body, result, options.folder, page)));
     } catch (const InputError&) {
       if (!cutShort) throw;  // the terminal may be what is gone
     }
