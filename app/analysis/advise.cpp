@@ -331,7 +331,7 @@ AdviseResult adviseScene(const AdviseOptions& options) {
   result.text += fmt::format(
       "trials over {:.6g} s, {:.0f} steps; error of the displacement against a converged motion:\n"
       "  {:<18} {:>11} {:>9} {:>13} {:>11} {:>9} {:>9}\n",
-      time, std::ceil(time / h - 1e-9), "", "step, s", "handled", "added mass, %", "computing, s", "gain", "error");
+      time, std::ceil(time / h - 1e-9), "", "step (s)", "handled", "added mass, %", "computing, s", "gain", "error");
   for (const Way& one : ways) {
     Json row{{"name", one.name}, {"kind", std::string(kindNames[static_cast<std::size_t>(one.kind)])}};
     if (!one.why.empty()) {

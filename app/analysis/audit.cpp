@@ -75,6 +75,7 @@ void applyLaw(Scene& scene, const AuditOptions& options) {
   for (const std::string& text : options.fix) scene.fixes.push_back(parseFix(text, "--fix"));
   for (auto& [element, rule] : parseRules(options.rules, "--rule")) scene.rules[element] = rule;
   scene.lumping = options.lumping.value_or(scene.lumping);
+  useUnits(options.units.value_or(scene.units));
 }
 
 /// The rule of the run's steps, its limit h omega, and the integrator, where that is known.

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include <ringwatch/app/output/exit_status.h>
+#include <ringwatch/app/scene/units.h>
 #include <ringwatch/base/options.h>
 #include <ringwatch/body/body.h>
 #include <ringwatch/integrators/integrator.h>
@@ -75,6 +76,7 @@ struct AuditOptions {
   std::vector<std::string> fix;                // nodes that are held, as inspect's
   std::vector<std::string> rules;              // ELEMENT=RULE: quadrature rules
   std::optional<Lumping> lumping;
+  std::optional<Units> units;
   int every = 1;     // every so many states
   bool all = false;  // a line of the table for every state
   int threads = 0;

@@ -72,12 +72,13 @@ WorkPrecisionRun runHandler(const WorkPrecisionCase& c, const Scene& scene, cons
 std::string cheapestText(const std::vector<WorkPrecisionRun>& runs) {
   std::string text;
   for (const CheapestRuns& best : cheapestRuns(runs))
-    text += best.byTime ? fmt::format(
-                              "  cheapest for {:<6} {}, {:.3g} s (h = {:.4g} s); by forces and tangent products {}, "
-                              "{:.0f}\n",
-                              best.label, best.byTime->integrator, best.byTime->seconds, best.byTime->h,
-                              best.byForces->integrator, best.byForces->forces + best.byForces->products)
-                        : fmt::format("  cheapest for {:<6} none reaches it; smaller steps may\n", best.label);
+    text += best.byTime
+                ? fmt::format(
+                      "  cheapest for {:<6} {}, {:.3g} seconds (h = {:.4g} s); by forces and tangent products {}, "
+                      "{:.0f}\n",
+                      best.label, best.byTime->integrator, best.byTime->seconds, best.byTime->h,
+                      best.byForces->integrator, best.byForces->forces + best.byForces->products)
+                : fmt::format("  cheapest for {:<6} none reaches it; smaller steps may\n", best.label);
   return text;
 }
 
@@ -92,8 +93,8 @@ std::vector<std::string> cheapestSentences(const std::vector<WorkPrecisionRun>& 
   std::vector<std::string> sentences;
   for (const CheapestRuns& best : cheapestRuns(runs))
     sentences.push_back(best.byTime
-                            ? fmt::format("For an error of {} {} is cheapest: {:.3g} s at h = {:.4g} s.", best.label,
-                                          best.byTime->integrator, best.byTime->seconds, best.byTime->h)
+                            ? fmt::format("For an error of {} {} is cheapest: {:.3g} seconds at h = {:.4g} s.",
+                                          best.label, best.byTime->integrator, best.byTime->seconds, best.byTime->h)
                             : fmt::format("None reaches an error of {}; smaller steps may.", best.label));
   return sentences;
 }

@@ -281,7 +281,7 @@ std::string drawDistribution(const std::filesystem::path& file, const std::vecto
       gnuplotQuoted(name + ".dat"), least * 0.9, most * 1.1, gnuplotQuoted(title), histograms, shares, arrows, nothing,
       2 * static_cast<double>(mostCount), ticsFor(least * 0.9, most * 1.1));
   writeFileAtomically(folder / (name + ".dat"), data);
-  writeFileAtomically(folder / (name + ".gp"), script);
+  writeFileAtomically(folder / (name + ".gp"), labelled(script));
   const std::string part = name + ".part";
   const ProgramResult result =
       runProgram({"gnuplot", "-e", fmt::format("picture={}", gnuplotQuoted(part)), name + ".gp"}, folder);

@@ -146,6 +146,7 @@ void override(Scene& scene, const InspectOptions& options) {
   material.density = options.density.value_or(material.density);
   scene.lumping = options.lumping.value_or(scene.lumping);
   scene.method = options.integrator.value_or(scene.method);
+  useUnits(options.units.value_or(scene.units));
   for (auto& [element, rule] : parseRules(options.rules, "--rule")) scene.rules[element] = rule;
   for (const std::string& text : options.fix) scene.fixes.push_back(parseFix(text, "--fix"));
 }
@@ -367,16 +368,16 @@ void writeMetricsVtu(const std::filesystem::path& path, const Subject& subject,
   std::vector<double> heights;
   for (const auto& block : quality)
     for (const ElementQuality& q : block) heights.push_back(q.minHeight);
-  add("minimum height (m)", std::move(heights));
+  add(labelled(std::string("minimum height (m)")), std::move(heights));
   const NodeVectors displacement = subject.x - subject.body.mesh().X;
   std::vector<VtuField> points;
   if (!displacement.isZero(0))
     points.push_back({"displacement", 3,
                       std::span<const double>(displacement.data(), static_cast<std::size_t>(displacement.size()))});
   const std::int32_t deformed = 1;
-  std::vector<VtuField> frame{{"safe step (s)", 1, std::span(&step.safe, 1)},
-                              {"optimistic step (s)", 1, std::span(&step.optimistic, 1)}};
-  if (h) frame.push_back({"step (s)", 1, std::span<const double>(&*h, 1)});
+  std::vector<VtuField> frame{{labelled(std::string("safe step (s)")), 1, std::span(&step.safe, 1)},
+                              {labelled(std::string("optimistic step (s)")), 1, std::span(&step.optimistic, 1)}};
+  if (h) frame.push_back({labelled(std::string("step (s)")), 1, std::span<const double>(&*h, 1)});
   if (!points.empty()) frame.push_back({deformedPointsMark, 1, std::span(&deformed, 1)});
   writeVtu(path, subject.body.mesh(), subject.x, points, fields, std::nullopt, frame);
 }
@@ -394,7 +395,7 @@ BeforeFactorisation sayCost(std::string_view option, ProgressLine& progress, Fac
           fmt::format("{}: the factorisation takes {:.3g} GB and this machine has {:.3g} GB; leave it out, "
                       "the bracket needs no factorisation",
                       option, 1e-9 * cost.bytes, 1e-9 * memory));
-    progress.announce(fmt::format("factorisation: {:.3g} million numbers, {:.3g} GB, about {:.2g} s",
+    progress.announce(fmt::format("factorisation: {:.3g} million numbers, {:.3g} GB, about {:.2g} seconds",
                                   1e-6 * cost.numbers, 1e-9 * cost.bytes, cost.operations / operationsASecond));
   };
 }

@@ -50,6 +50,7 @@ struct InspectOptions {
   std::optional<std::string> model;
   std::optional<std::string> integrator;
   std::optional<Lumping> lumping;
+  std::optional<Units> units;
   bool repair = false;                      // the mesh is mended first
   std::optional<std::string> displacement;  // a field of a .vtu file, m: inspect that state
   std::optional<std::int64_t> frame;        // of the run, counted from 1

@@ -142,9 +142,9 @@ ScaleMassResult planMass(const ScaleMassOptions& options) {
                           addedMassByElement(start.body, start.state.x, lambda), before);
   json["plans"] = Json{{"by_node", least.json}, {"by_element", usual.json}};
   result.text += least.text + usual.text;
-  result.text += fmt::format("  little, at nodes, by their numbers, kg: {}\n", least.list);
+  result.text += fmt::format("  little, at nodes, by their numbers (kg): {}\n", least.list);
   if (start.scene.materials.size() > 1) {
-    result.text += "  by material, kg:";
+    result.text += "  by material (kg):";
     for (std::size_t m = 0; m < start.scene.materials.size(); ++m)
       result.text += fmt::format("  {} {:.4g} ({:.4g})", start.scene.materials[m].selection(),
                                  least.json["parts"][m].get<double>(), usual.json["parts"][m].get<double>());

@@ -38,6 +38,7 @@ struct AuditCommand final : Command {
     command->add_option("--fix", options.fix, "nodes that are held, as with ringwatch inspect; may be given again")
         ->allow_extra_args(false);
     declareMatrices(*command, lumping, options.rules);
+    declareUnits(*command, options.units);
     command->add_option("--every", options.every, "every so many states (default: 1)")->check(CLI::Range(1, 1000000));
     command->add_flag("--all", options.all, "a line of the table for every state; --json always has them");
     json.declare(*command, "numbers");
@@ -64,7 +65,7 @@ struct AuditCommand final : Command {
       };
     if (!lumping.empty()) options.lumping = lumpingNames.valueOf("--lumping", lumping);
     const AuditResult result = auditResults(options);
-    if (!junit.empty()) writeFileAtomically(junit, junitText(result.json));
+    if (!junit.empty()) writeFileAtomically(junit, labelled(junitText(result.json)));
     json.write(result.json, result.text + written);
     return result.status;
   }

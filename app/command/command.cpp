@@ -48,7 +48,7 @@ void setSpeaks(bool speaks) { speaksHere = speaks; }
 void tell(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stderr); }
 
 ExitStatus complain(const std::string& text, ExitStatus status) {
-  if (speaksHere) tell(fmt::format("ringwatch: {}\n", oneLine(text)));
+  if (speaksHere) tell(fmt::format("ringwatch: {}\n", oneLine(labelled(text))));
   return status;
 }
 
@@ -65,11 +65,11 @@ void JsonOption::declare(CLI::App& command, const char* what) {
 }
 
 void JsonOption::save(const nlohmann::ordered_json& json) const {
-  if (!path.empty() && !takesStandardOutput()) writeFileAtomically(path, json.dump(2) + "\n");
+  if (!path.empty() && !takesStandardOutput()) writeFileAtomically(path, labelled(json).dump(2) + "\n");
 }
 
 void JsonOption::print(const nlohmann::ordered_json& json, const std::string& text) const {
-  printOut(takesStandardOutput() ? json.dump(2) + "\n" : text + conclusionLine(json["conclusion"]));
+  printOut(takesStandardOutput() ? labelled(json).dump(2) + "\n" : labelled(text + conclusionLine(json["conclusion"])));
 }
 
 void JsonOption::write(const nlohmann::ordered_json& json, const std::string& text) const {
@@ -115,6 +115,14 @@ void declareRanks(CLI::App& command, std::string& wanted) {
                   "several), yes or no (each does it alone); see docs/cluster.md")
       ->type_name("WHEN")
       ->check(CLI::IsMember({"auto", "yes", "no"}));
+}
+
+void declareUnits(CLI::App& command, std::optional<Units>& units) {
+  command
+      .add_option_function<std::string>(
+          "--units", [&units](const std::string& name) { units = unitSystems.valueOf("--units", name); },
+          fmt::format("what results call the numbers: {} (default: the scene's, else SI)", unitSystems.listing()))
+      ->type_name("SYSTEM");
 }
 
 void declareMatrices(CLI::App& command, std::string& lumping, std::vector<std::string>& rules) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,6 +13,7 @@
 #include <ringwatch/app/output/exit_status.h>
 #include <ringwatch/app/report/run_report.h>
 #include <ringwatch/app/scene/number_text.h>
+#include <ringwatch/app/scene/units.h>
 
 namespace ringwatch {
 
@@ -113,6 +115,8 @@ std::string shellWord(const std::string& word);
 void declareRanks(CLI::App& command, std::string& wanted);
 /// Declares how masses and tangents of elements are made.
 void declareMatrices(CLI::App& command, std::string& lumping, std::vector<std::string>& rules);
+/// Declares --units: what the results call the numbers of a mesh that no scene names.
+void declareUnits(CLI::App& command, std::optional<Units>& units);
 /// SCENE and the options of every question that is asked of a scene before it runs.
 template <class Question>
 void declareQuestion(CLI::App& command, Question& options, JsonOption& json) {

@@ -28,6 +28,7 @@ constexpr double rubber[] = {1e6, 0.45, 1100};  // Pa, -, kg/m3
 constexpr double crossings = 10, frames = 40;
 /// The share of the body's length whose nodes are held.
 constexpr double heldShare = 1e-3;
+constexpr double gravity = 9.81;  // m/s2
 
 /// The numbers of an answer; empty of an empty one.
 std::vector<double> numbersOf(const std::string& answer, std::size_t count, const std::string& question) {
@@ -57,6 +58,9 @@ std::string initScene(InitOptions options, const Ask& ask) {
   const double young = options.young.value_or(rubber[0]), poisson = options.poisson.value_or(rubber[1]),
                density = options.density.value_or(rubber[2]);
 
+  if (options.units && !own) throw InputError("--units: goes with --mesh; the bar is in SI");
+  useUnits(options.units.value_or(Units::si));
+  const UnitSizes unit = sizesOf(usedUnits());
   double least = 0, length = barLength;
   std::string mesh = barMesh;
   if (own) {
@@ -70,7 +74,7 @@ std::string initScene(InitOptions options, const Ask& ask) {
   if (!options.fix) options.fix = ask ? ask("Nodes that are held, a condition (Enter: those of least x)") : "";
   if (options.fix->empty()) options.fix = fmt::format("x < {:.6g}", least + heldShare * length);
   if (!options.end && ask) {
-    const std::string question = "Time that the run takes, s";
+    const std::string question = labelled(std::string("Time that the run takes (s)"));
     const auto numbers = numbersOf(ask(fmt::format("{} (Enter: {:.2g})", question, crossings * crossing)), 1, question);
     if (!numbers.empty()) options.end = numbers[0];
   }
@@ -80,7 +84,7 @@ std::string initScene(InitOptions options, const Ask& ask) {
              fmt::format(R"(# Run it: ringwatch run {0} --report
 # ringwatch help scene SECTION explains the keys of a section.
 
-[mesh]
+{8}[mesh]
 {1}
 [material]
 model = "neo-hookean"      # ringwatch help laws
@@ -98,13 +102,15 @@ where = "{6}"
 
 [[force]]                  # its weight
 where = "all"
-acceleration = [0, 0, -9.81]
+acceleration = [0, 0, {9:.6g}]
 
 [output]
 every = {7:.3g}            # a frame for ParaView and the report
 fields = ["critical_step", "von_mises"]
 )",
-                         options.scene.string(), mesh, young, poisson, density, end, *options.fix, end / frames));
+                         options.scene.string(), mesh, young, poisson, density, end, *options.fix, end / frames,
+                         own ? fmt::format("[units]\nsystem = \"{}\"\n\n", unitSystems.nameOf(usedUnits())) : "",
+                         -gravity * unit.time * unit.time / unit.length));
   try {
     std::vector<std::string> notes;
     const Scene scene = readScene(options.scene);

@@ -4,6 +4,8 @@
 #include <optional>
 #include <string>
 
+#include <ringwatch/app/scene/units.h>
+
 namespace ringwatch {
 
 /// What a new scene is made of. What is empty is asked for, or gets the value that the question names.
@@ -11,6 +13,7 @@ struct InitOptions {
   std::filesystem::path scene = "scene.toml";
   std::optional<std::string> mesh, fix;
   std::optional<double> young, poisson, density, end;
+  std::optional<Units> units;  // goes with a mesh
 };
 
 /// Asks a question and returns the line that is typed; empty where no one can be asked.

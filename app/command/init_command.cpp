@@ -24,6 +24,7 @@ struct InitCommand final : Command {
     command->add_option("--density", options.density, "density, kg/m3");
     command->add_option("--fix", options.fix, "nodes that are held (default: those of least x)")
         ->type_name("CONDITION");
+    declareUnits(*command, options.units);
     addTime(*command, "--end", options.end,
             "time that the run takes, s (default: ten times that of a pressure wave through the body)");
     command->footer(std::string(unitsText) + "\n" + seeTopics("scene | laws | generators") + exitStatusHint);

@@ -50,6 +50,7 @@ struct InspectCommand final : Command {
             fmt::format("integrator whose stability limit counts (default: {})", InspectOptions::usualIntegrator))
         ->type_name("INTEGRATOR");
     declareMatrices(*command, lumping, options.rules);
+    declareUnits(*command, options.units);
     addTime(*command, "--step", options.step,
             "list the elements that need a smaller step than this, s, and count what a handler would take");
     command->add_option("--metric", options.metrics, "metrics, separated by commas, or all")

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <ringwatch/app/output/provenance.h>
+#include <ringwatch/app/run/run_forecast.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/infinity.h>
 
@@ -31,12 +32,6 @@ int terminalWidth() {
   constexpr int usual = 80, least = 40, most = 160;
   if (ioctl(STDERR_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return usual;
   return std::clamp<int>(size.ws_col, least, most);
-}
-
-std::string durationText(double seconds) {
-  if (seconds < 90) return fmt::format("{:.0f} s", seconds);
-  if (seconds < 5400) return fmt::format("{:.0f} min", seconds / 60);
-  return fmt::format("{:.1f} h", seconds / 3600);
 }
 
 double monitorShare(const RunMoment& moment) {
@@ -162,7 +157,7 @@ void LiveWatch::show(const RunMoment& moment) {
   const double share = moment.end > 0 ? std::clamp(moment.time / moment.end, 0.0, 1.0) : 0;
   const std::optional<double> left = secondsLeft(moment);
   const std::string progress = fmt::format(" {:.0f} %, t = {:.4g} of {:.4g} s{}", 100 * share, moment.time, moment.end,
-                                           left ? fmt::format(", {} left", durationText(*left)) : "");
+                                           left ? fmt::format(", {} left", RunForecast::durationText(*left)) : "");
   const int bar = std::max(8, width - static_cast<int>(progress.size()) - 3);
   const int full = static_cast<int>(share * bar);
   lines.push_back(fmt::format("[{}{}]{}", std::string(full, '='), std::string(bar - full, ' '), progress));
@@ -185,7 +180,7 @@ void LiveWatch::show(const RunMoment& moment) {
                                      : fmt::format("no page: {}", pageFault_));
   std::string text;
   if (lines_ > 0) text = fmt::format("\x1b[{}A\r", lines_);
-  for (const std::string& line : lines) text += line.substr(0, width - 1) + "\x1b[K\n";
+  for (const std::string& line : lines) text += labelled(line).substr(0, width - 1) + "\x1b[K\n";
   text += "\x1b[J";
   writeToTerminal(text);
   lines_ = static_cast<int>(lines.size());

@@ -23,6 +23,7 @@ struct MeshCommand final : Command {
   std::string kind, output, input, target, checked;
   std::map<std::string, std::vector<std::string>> parameters;  // of generators, as given
   std::string join;                                            // a number, as given
+  std::optional<Units> units;
   bool allProblems = false, binary = false;
   CLI::App *generate = nullptr, *convert = nullptr, *check = nullptr, *repair = nullptr;
 
@@ -61,6 +62,7 @@ struct MeshCommand final : Command {
                      "join nodes that lie closer to each other, m; 0: at one place; without it none are joined")
         ->type_name("DISTANCE");
     declareBinary(*repair);
+    declareUnits(*repair, units);
     repair->footer(
         "Turns elements of the other handedness round, makes of an element that holds a node several times the\n"
         "wedge, pyramid or tetrahedron that it is, leaves out elements that stand a second time and nodes without\n"
@@ -169,7 +171,8 @@ struct MeshCommand final : Command {
                           meshVolume(repaired.mesh));
     text += fmt::format("{}: {} nodes, {}{}\n", target, repaired.mesh.nodeCount(), elementCounts(repaired.mesh),
                         repaired.problems.empty() ? "" : "; left: " + kindsOf(repaired.problems));
-    printOut(text);
+    if (units) useUnits(*units);
+    printOut(labelled(text));
     return repaired.problems.empty() ? ExitStatus::done : ExitStatus::unstable;
   }
 

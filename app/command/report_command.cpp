@@ -27,7 +27,7 @@ struct ReportCommand final : Command {
     options.folder = folder;
     options.output = output;
     const ReportResult report = neededReportWriters().ofRun(options);
-    printOut(fmt::format("{}: {}\n", report.title, report.sentence) + reportText(report));
+    printOut(labelled(fmt::format("{}: {}\n", report.title, report.sentence)) + reportText(report));
     return ExitStatus::done;
   }
 };

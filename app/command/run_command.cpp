@@ -166,7 +166,7 @@ struct RunCommand final : Command {
     request.quiet = quiet;
     request.interrupt = &interrupted;
     request.checkpoint = &checkpointWanted;
-    return call.ranks->run(request, [](const std::string& text) { printOut(text); });
+    return call.ranks->run(request, [](const std::string& text) { printOut(labelled(text)); });
   }
 
   /// Goes on with a run that was stopped.
@@ -201,7 +201,7 @@ struct RunCommand final : Command {
           result.exitStatus());
     }
     try {
-      if (!quiet) printOut(summaryText(description, body, result, options.folder, page));
+      if (!quiet) printOut(labelled(summaryText(description, body, result, options.folder, page)));
     } catch (const InputError&) {
       if (!result.canGoOn()) throw;  // the terminal may be what is gone
     }

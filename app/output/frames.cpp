@@ -67,8 +67,9 @@ std::string_view stepSide(Direction direction) {
 }
 
 std::string stepFieldName(const MetricInfo& metric, Direction direction) {
-  return direction == Direction::estimate ? fmt::format("step estimate by {} (s)", metric.name)
-                                          : fmt::format("{} step by {} (s)", stepSide(direction), metric.name);
+  return labelled(direction == Direction::estimate
+                      ? fmt::format("step estimate by {} (s)", metric.name)
+                      : fmt::format("{} step by {} (s)", stepSide(direction), metric.name));
 }
 
 double stepBy(Direction direction, double lambda, const StepRule& rule) {
@@ -207,7 +208,7 @@ void FrameWriter::write(const NodeVectors& x, const NodeVectors& v, const FrameS
   for (const std::string& metric : metrics) add(elementSteps(metric, x, 1));
   if (asksFor("metric")) {
     Steps own = elementSteps(scene_.metric, x, 1 - scene_.margin);
-    own.name = fmt::format("step by {} with margin (s)", scene_.metric);
+    own.name = labelled(fmt::format("step by {} with margin (s)", scene_.metric));
     add(std::move(own));
   }
   if (asksFor("verdict")) {
@@ -224,7 +225,8 @@ void FrameWriter::write(const NodeVectors& x, const NodeVectors& v, const FrameS
     cells.push_back({"handler", 1, std::span<const std::int32_t>(handled)});
   }
   for (std::size_t m = 0; m < measures.size(); ++m)
-    cells.push_back({std::string(measures[m]->title), measures[m]->components, std::span<const double>(stresses[m])});
+    cells.push_back(
+        {labelled(std::string(measures[m]->title)), measures[m]->components, std::span<const double>(stresses[m])});
 
   if (const std::vector<int> ofBlocks = materialOfBlocks(body_.mesh()); !ofBlocks.empty()) {
     for (std::size_t b = 0; b < ofBlocks.size(); ++b)
@@ -235,9 +237,9 @@ void FrameWriter::write(const NodeVectors& x, const NodeVectors& v, const FrameS
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   const double safe = state.safe.value_or(unknown), optimistic = state.optimistic.value_or(unknown);
   const std::int32_t verdict = state.verdict ? static_cast<std::int32_t>(*state.verdict) : -1, deformed = 1;
-  const VtuField frame[] = {{"safe step (s)", 1, std::span(&safe, 1)},
-                            {"optimistic step (s)", 1, std::span(&optimistic, 1)},
-                            {"step (s)", 1, std::span(&state.h, 1)},
+  const VtuField frame[] = {{labelled(std::string("safe step (s)")), 1, std::span(&safe, 1)},
+                            {labelled(std::string("optimistic step (s)")), 1, std::span(&optimistic, 1)},
+                            {labelled(std::string("step (s)")), 1, std::span(&state.h, 1)},
                             {"verdict", 1, std::span(&verdict, 1)},
                             {deformedPointsMark, 1, std::span(&deformed, 1)}};
   const std::filesystem::path file = fileOf(entries_.size() + 1);

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <ringwatch/app/output/output_fields.h>
+#include <ringwatch/app/scene/units.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/input_file.h>
 
@@ -16,7 +17,7 @@ namespace {
 std::string heading() {
   std::string line;
   for (const OutputField& column : historyColumns()) line += joinText(line.empty() ? "" : ",", column.name);
-  return line;
+  return labelledColumns(line);
 }
 
 }  // namespace

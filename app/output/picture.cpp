@@ -34,8 +34,10 @@ void Picture::add(const HistoryRow& row) {
 
 std::string Picture::data() const {
   std::string text =
-      "# time_s h_s safe_s optimistic_s metric_step_s kinetic_J strain_J external_work_J balance_error_J "
-      "handled_elements h_certified_s h_not_certified_s h_violated_s dissipated_J\n";
+      labelledColumns(
+          "# time_s h_s safe_s optimistic_s metric_step_s kinetic_J strain_J external_work_J balance_error_J "
+          "handled_elements h_certified_s h_not_certified_s h_violated_s dissipated_J") +
+      "\n";
   for (const HistoryRow& row : rows_) {
     const std::optional<double> h = drawsStep(row) ? std::optional(row.h) : std::nullopt;
     text += fmt::format("{}{}", row.time, cell(h));
@@ -182,7 +184,7 @@ std::string Picture::script(const std::string& title) const {
 
 std::string Picture::draw(const std::filesystem::path& folder, const std::string& title) const {
   writeFileAtomically(folder / "critical_step.dat", data());
-  writeFileAtomically(folder / "critical_step.gp", script(title));
+  writeFileAtomically(folder / "critical_step.gp", labelled(script(title)));
   const std::string part = "critical_step.png.part";
   const ProgramResult result = runProgram({"gnuplot", "-e", "picture='" + part + "'", "critical_step.gp"}, folder);
   std::error_code error;

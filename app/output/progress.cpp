@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <ringwatch/app/scene/units.h>
+
 namespace ringwatch {
 namespace {
 
@@ -30,21 +32,21 @@ bool ProgressLine::due() {
 void ProgressLine::show(const std::string& text, double done) {
   const double spent = std::chrono::duration<double>(Clock::now() - start_).count();
   std::string left;
-  if (done > 0) left = fmt::format(", {:.0f} s left", spent * (1 - done) / done);
+  if (done > 0) left = fmt::format(", {:.0f} seconds left", spent * (1 - done) / done);
   // Return to the line's start, and erase what an earlier, longer text left behind.
-  put(fmt::format("\r{}{}\x1b[K", text, left));
+  put(fmt::format("\r{}{}\x1b[K", labelled(text), left));
   shown_ = true;
 }
 
 void ProgressLine::announce(const std::string& text) {
   if (!active_) return;
-  put("\r" + text + "\x1b[K");
+  put("\r" + labelled(text) + "\x1b[K");
   shown_ = true;
 }
 
 void ProgressLine::tell(const std::string& line, bool error) {
   clear();
-  if (wanted_ || error) put(line + "\n");
+  if (wanted_ || error) put(labelled(line) + "\n");
 }
 
 void ProgressLine::clear() {

@@ -17,9 +17,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-bool isStepField(const FrameField& field) {
-  return !field.integer && field.name.ends_with(" (s)") && field.name.find("step") != std::string::npos;
+bool isStepName(const std::string& field) {
+  return field.ends_with(labelled(std::string(" (s)"))) && field.find("step") != std::string::npos;
 }
+
+bool isStepField(const FrameField& field) { return !field.integer && isStepName(field.name); }
 
 bool sameElements(const Mesh& a, const Mesh& b) {
   if (a.nodeCount() != b.nodeCount() || a.blocks.size() != b.blocks.size()) return false;
@@ -320,7 +322,7 @@ void MeshPack::closeGroup() {
       }
     Json fields = Json::array();
     for (std::size_t f = 0; f < frame.fields.size(); ++f) {
-      const bool step = frame.names[f].ends_with(" (s)");
+      const bool step = isStepName(frame.names[f]);
       if (frame.integers[f]) {
         std::vector<std::int32_t> values;
         for (const std::int32_t c : cells) values.push_back(static_cast<std::int32_t>(frame.fields[f][c]));
@@ -335,15 +337,15 @@ void MeshPack::closeGroup() {
                             {"max", values.largest},
                             {"array", data_.add(std::span<const std::uint16_t>(values.codes))}});
     }
-    const auto value = [&](const char* name) {
+    const auto value = [&](const std::string& name) {
       const auto found = frame.values.find(name);
       return found == frame.values.end() ? Json(nullptr) : numberOrNull(found->second);
     };
     frames.push_back(Json{{"number", frame.number},
                           {"time", frame.time},
-                          {"safe", value("safe step (s)")},
-                          {"optimistic", value("optimistic step (s)")},
-                          {"h", value("step (s)")},
+                          {"safe", value(labelled(std::string("safe step (s)")))},
+                          {"optimistic", value(labelled(std::string("optimistic step (s)")))},
+                          {"h", value(labelled(std::string("step (s)")))},
                           {"verdict", value("verdict")},
                           {"min", {least.x(), least.y(), least.z()}},
                           {"max", {largest.x(), largest.y(), largest.z()}},

@@ -54,9 +54,9 @@ std::string eventsOfRun(const PageContent& page) {
         "class=\"js\"><button type=\"button\" id=\"stay\" aria-pressed=\"false\">Do not reload</button> <span "
         "class=\"note\">This page is written again and again while the run goes on, and loads itself again every "
         "{5:.2g} "
-        "s.</span></p>\n",
+        "seconds.</span></p>\n",
         end > 0 ? std::clamp(time / end, 0.0, 1.0) : 0, end > 0 ? 100 * time / end : 0,
-        left ? fmt::format("about {:.0f} s left", *left) : "the time left is not known yet",
+        left ? fmt::format("about {:.0f} seconds left", *left) : "the time left is not known yet",
         100 * numberOf(*live, "monitor_share").value_or(0), htmlText(textOf(*live, "written")), page.reloadAfter);
   }
   if (const auto events = s.find("events"); events != s.end() && events->is_array() && !events->empty()) {
@@ -380,7 +380,7 @@ PageSection runProvenance(const PageContent& page, std::size_t shownRows) {
     if (const auto steps = numberOf(s, "steps")) rows += provenanceRow("steps", fmt::format("{:.0f}", *steps));
     if (const auto time = s.find("wall_time"); time != s.end() && time->is_object())
       rows += provenanceRow("wall time",
-                            fmt::format("{:.3g} s: force {:.3g} s, monitor {:.3g} s, output {:.3g} s",
+                            fmt::format("{:.3g} seconds: force {:.3g}, monitor {:.3g}, output {:.3g}",
                                         numberOf(*time, "total").value_or(0), numberOf(*time, "force").value_or(0),
                                         numberOf(*time, "monitor").value_or(0), numberOf(*time, "output").value_or(0)));
     if (const auto from = s.find("provenance"); from != s.end() && from->is_object()) {
@@ -397,7 +397,9 @@ PageSection runProvenance(const PageContent& page, std::size_t shownRows) {
 Json historyJson(const RunHistory& history, std::size_t allRows, PageData& data) {
   Json columns = Json::array();
   for (const RunHistory::Column& column : history.columns)
-    columns.push_back(Json{{"name", column.name}, {"array", data.add(std::span<const double>(column.values))}});
+    columns.push_back(Json{{"name", column.name},
+                           {"head", labelledColumns(column.name)},
+                           {"array", data.add(std::span<const double>(column.values))}});
   std::vector<std::string> names;
   std::vector<std::uint8_t> codes;
   for (const std::string& verdict : history.verdicts) {
@@ -596,7 +598,7 @@ std::string pageHtml(const Page& page) {
   if (page.reloadAfter > 0)
     html += fmt::format("<noscript><meta http-equiv=\"refresh\" content=\"{:.0f}\"></noscript>\n",
                         std::ceil(page.reloadAfter));
-  html += fmt::format("<title>{} (ringwatch)</title>\n<style>", htmlText(page.title));
+  html += fmt::format("<title>{} (ringwatch)</title>\n<style>", htmlText(labelled(page.title)));
   html += reportStyle();
   html += "</style>\n</head>\n<body>\n<a class=\"skip\" href=\"#verdict\">Skip to the verdict</a>\n<header>\n";
   html += fmt::format("<h1>{}</h1>\n", htmlText(page.heading));
@@ -605,10 +607,14 @@ std::string pageHtml(const Page& page) {
   for (const PageSection& section : page.sections)
     html += fmt::format("<li><a href=\"#{}\">{}</a></li>\n", section.id, htmlText(section.link));
   html += "</ul></nav>\n</header>\n<main>\n";
-  for (const PageSection& section : page.sections) html += section.html;
+  for (const PageSection& section : page.sections) {
+    const std::size_t quoted = std::min(section.html.find("<pre"), section.html.size());
+    html += labelled(section.html.substr(0, quoted)) + section.html.substr(quoted);
+  }
   html += "</main>\n<script type=\"application/json\" id=\"report\">";
-  Json embedded = page.embedded;
+  Json embedded = labelled(page.embedded);
   embedded["reloadAfter"] = page.reloadAfter;
+  for (const char* unit : {"s", "m", "J"}) embedded["units"][unit] = unitNamed(unit);
   html += scriptJson(embedded);
   html += "</script>\n";
   html += page.data.html();

@@ -304,15 +304,16 @@ RunAnalysis analyseLargeRun(const std::filesystem::path& folder, const VtuFrame&
   const Scene scene = sceneOfRun(folder);
   const IntegratorInfo* integrator = integratorCatalog().find(scene.method);
   if (!hasLimit(integrator)) return withoutLimit(scene, frame.mesh.elementCount());
-  const auto value = [&](const char* name) -> std::optional<double> {
+  const auto value = [&](const std::string& name) -> std::optional<double> {
     const auto found = frame.values.find(name);
     return found == frame.values.end() || !std::isfinite(found->second) ? std::nullopt : std::optional(found->second);
   };
-  AnalysedFrame state{frame, {}, {}, stepRule(*integrator, scene.damping), {}, {}, value("step (s)")};
+  AnalysedFrame state{
+      frame, {}, {}, stepRule(*integrator, scene.damping), {}, {}, value(labelled(std::string("step (s)")))};
   // With a handler the run's bracket is that of the elements that it left explicit.
   if (scene.handler.empty()) {
-    state.safe = value("safe step (s)");
-    state.optimistic = value("optimistic step (s)");
+    state.safe = value(labelled(std::string("safe step (s)")));
+    state.optimistic = value(labelled(std::string("optimistic step (s)")));
   }
   for (const SceneMaterial& material : scene.materials)
     state.waveSpeeds.push_back(makeMaterial(material.model, material.parameters, material.density).waveSpeed());

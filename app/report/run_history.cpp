@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <ringwatch/app/output/output_fields.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/sort_unique.h>
 #include <ringwatch/base/user_text.h>
@@ -24,6 +25,21 @@ std::vector<std::string_view> cellsOf(std::string_view line) {
     begin = end + 1;
   }
   return cells;
+}
+
+/// The names of columns as they are in SI; units: those that most of them name.
+std::vector<std::string> inSi(const std::vector<std::string_view>& head, Units& units) {
+  std::vector<std::string> best;
+  std::size_t most = 0;
+  for (const auto& system : unitSystems) {
+    std::vector<std::string> names(head.begin(), head.end());
+    std::size_t known = 0;
+    for (std::string& name : names)
+      for (const OutputField& column : historyColumns())
+        if (name == labelledColumns(std::string(column.name), system.value)) name = column.name, ++known;
+    if (known > most || best.empty()) best = std::move(names), most = known, units = system.value;
+  }
+  return best;
 }
 
 double numberIn(std::string_view cell) {
@@ -47,19 +63,19 @@ std::optional<RunHistory> readRunHistory(const std::filesystem::path& folder) {
   const std::string text = detail::readWholeFile(file);
   const std::size_t headEnd = text.find('\n');
   const std::string_view all(text);
-  const std::vector<std::string_view> head = cellsOf(all.substr(0, std::min(headEnd, text.size())));
+  RunHistory history;
+  const std::vector<std::string> head = inSi(cellsOf(all.substr(0, std::min(headEnd, text.size()))), history.units);
   if (head.size() < 3 || head[0] != "step" || head[1] != "time_s" || head[2] != "h_s")
     throw InputError(fmt::format("{}:1: begins with {}; the history of a run begins with step,time_s,h_s",
                                  file.string(), inQuotes(std::string(all.substr(0, std::min(headEnd, text.size()))))));
-  RunHistory history;
   std::vector<std::ptrdiff_t> columnOf;  // of `columns`; -1: the controlling element, -2: the verdict
-  for (const std::string_view name : head) {
+  for (const std::string& name : head) {
     if (name == "controlling_element" || name == "verdict") {
       columnOf.push_back(name == "verdict" ? -2 : -1);
       continue;
     }
     columnOf.push_back(history.columns.size());
-    history.columns.push_back({std::string(name), {}});
+    history.columns.push_back({name, {}});
   }
   std::map<std::string, std::int32_t, std::less<>> numberOf;
   std::size_t damaged = 0;

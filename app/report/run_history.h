@@ -6,12 +6,14 @@
 #include <string_view>
 #include <vector>
 
+#include <ringwatch/app/scene/units.h>
+
 namespace ringwatch {
 
 /// history.csv of a run, by columns.
 struct RunHistory {
   struct Column {
-    std::string name;            // as in the head of the file: "safe_s"
+    std::string name;            // in SI, whatever the head of the file names: "safe_s"
     std::vector<double> values;  // one a row; NaN where the cell is empty
   };
   std::vector<Column> columns;            // those of numbers
@@ -19,6 +21,7 @@ struct RunHistory {
   std::vector<std::string> numbers;       // of them in the mesh file; empty where these are not known
   std::vector<std::int32_t> controlling;  // of each row: into `elements`, -1 for none
   std::vector<std::string> verdicts;      // of each row, "" for none
+  Units units = Units::si;                // of the heads of its columns
   std::vector<std::string> notes;         // what was wrong with the file, one line each
 
   std::size_t rowCount() const { return verdicts.size(); }

@@ -6,8 +6,10 @@ VtuFrame stateFrame(const Body& body, const NodeVectors& x, const CriticalStep* 
   VtuFrame frame;
   frame.mesh = body.mesh();
   frame.mesh.X = x;
-  if (bracket) frame.values = {{"safe step (s)", bracket->safe}, {"optimistic step (s)", bracket->optimistic}};
-  if (step) frame.values["step (s)"] = *step;
+  if (bracket)
+    frame.values = {{labelled(std::string("safe step (s)")), bracket->safe},
+                    {labelled(std::string("optimistic step (s)")), bracket->optimistic}};
+  if (step) frame.values[labelled(std::string("step (s)"))] = *step;
   return frame;
 }
 

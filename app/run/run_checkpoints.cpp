@@ -70,8 +70,8 @@ void RunCheckpoints::writeAsItIs() {
   }
   asItIs_ = true;
   const double seconds = run_.result.outputTime - before;
-  told_ = fmt::format("step {}, t = {:.6g} s: checkpoint of {:.3g} MB written to {} in {:.2g} s", run_.result.steps,
-                      run_.state.time, 1e-6 * static_cast<double>(bytes),
+  told_ = fmt::format("step {}, t = {:.6g} s: checkpoint of {:.3g} MB written to {} in {:.2g} seconds",
+                      run_.result.steps, run_.state.time, 1e-6 * static_cast<double>(bytes),
                       (run_.options.folder / checkpointFile).string(), seconds);
 }
 

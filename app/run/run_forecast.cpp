@@ -24,7 +24,7 @@ std::string RunForecast::sentence(const Moment& now, const std::string& limitedB
 
 std::string RunForecast::durationText(double seconds) {
   constexpr double minute = 60, hour = 3600, day = 86400;
-  if (seconds < 2 * minute) return fmt::format("{:.0f} s", seconds);
+  if (seconds < 2 * minute) return fmt::format("{:.0f} seconds", seconds);
   if (seconds < 2 * hour) return fmt::format("{:.0f} min", seconds / minute);
   return seconds < 2 * day ? fmt::format("{:.1f} h", seconds / hour) : fmt::format("{:.3g} days", seconds / day);
 }

@@ -25,7 +25,7 @@ class RunForecast {
   }
   /// Wall time that is left, s; 0 before there is a pace.
   double left() const { return left_; }
-  /// "3.1 h", "42 s".
+  /// "3.1 h", "42 seconds".
   static std::string durationText(double seconds);
 
  private:

@@ -140,19 +140,22 @@ void RunProbes::nameColumns() {
                           fmt::format("{}{}{}: {}", probeReductionNames.nameOf(probe.as),
                                       probe.metric.empty() ? "" : " by ", probe.metric, quantity.help)});
   }
-  if (!scene_.reactions) return;
   const auto add = [&](const char* section, std::size_t number) {
     for (const char* part : {"x", "y", "z"})
       columns_.push_back(
           {fmt::format("{}.{}.reaction_{}_N", section, number, part), "N",
            fmt::format("of [[{}]] number {}, counted from 0, on the nodes that it holds first", section, number)});
   };
-  for (std::size_t i = 0; i < scene_.fixes.size(); ++i) add("fix", i);
-  for (std::size_t i = 0; i < scene_.moves.size(); ++i) add("move", i);
+  for (std::size_t i = 0; scene_.reactions && i < scene_.fixes.size(); ++i) add("fix", i);
+  for (std::size_t i = 0; scene_.reactions && i < scene_.moves.size(); ++i) add("move", i);
+  for (ProbeColumn& column : columns_) {
+    column.name = labelledColumns(column.name);
+    column.unit = unitNamed(column.unit);
+  }
 }
 
 std::string RunProbes::heading() const {
-  std::string line = "step,time_s";
+  std::string line = labelledColumns("step,time_s");
   for (const ProbeColumn& column : columns_) line += "," + column.name;
   return line;
 }

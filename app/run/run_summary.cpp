@@ -346,7 +346,7 @@ std::string summaryText(const Scene& scene, const Body& body, const RunResult& r
                                  elementCounts(body.mesh()), body.totalMass(), scene.method);
   text += fmt::format("{}\n", bodyFigures(body).text());
   text += fmt::format(
-      "{} steps to t = {:.6g} s, {}; {:.2f} s of wall time (force {:.2f}, monitor {:.2f}{}, output {:.2f})\n",
+      "{} steps to t = {:.6g} s, {}; {:.2f} seconds of wall time (force {:.2f}, monitor {:.2f}{}, output {:.2f})\n",
       result.steps, result.time, result.reasonText, result.wallTime, result.forceTime, result.monitorTime,
       monitorOverForce(result), result.outputTime);
   if (result.steps > 0)

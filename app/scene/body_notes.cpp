@@ -1,6 +1,7 @@
 #include <ringwatch/app/scene/body_notes.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -69,8 +70,8 @@ struct MixedUnits {
 };
 constexpr MixedUnits mixedUnits[] = {
     {1e12, 1e-3,
-     "in mm, t and s it is one of {:.4g} m/s: read m as mm, kg as t, Pa as MPa, J as mJ, and give all of the scene in "
-     "these"},
+     "in mm, t and s it is one of {:.4g} m/s: name them, units.system = \"mm-t-s\" or --units mm-t-s, and give all of "
+     "the scene in these"},
     {1, 1e3, "with a modulus in MPa beside m, kg and s it would be one of {:.4g} m/s; give the modulus in Pa"},
     {1, 31622.8, "with a modulus in GPa beside m, kg and s it would be one of {:.4g} m/s; give the modulus in Pa"},
     {1e3, 0.0316228, "with a density in g/cm3 it would be one of {:.4g} m/s; give it in kg/m3"},
@@ -83,14 +84,19 @@ bool isOfSolids(double speed, double density) {
 }
 
 void addUnits(const Body& body, std::vector<std::string>& notes) {
+  if (usedUnits() == Units::none) return;
+  const UnitSizes unit = sizesOf(usedUnits());
   for (const auto& block : body.blocks()) {
-    const double speed = block->material().waveSpeed(), density = block->material().density;
+    const double named = block->material().waveSpeed(), speed = named * unit.length / unit.time,
+                 density = block->material().density * unit.mass / std::pow(unit.length, 3);
     if (isOfSolids(speed, 0) || (speed < slowestOfSolids && density < densestOfSlow)) continue;
-    const auto* mixed = std::ranges::find_if(
-        mixedUnits, [&](const MixedUnits& units) { return isOfSolids(speed * units.speed, density * units.density); });
-    notes.push_back(fmt::format("a wave speed of {:.4g} m/s is none of a solid; {}", speed,
+    const auto* mixed = std::ranges::find_if(mixedUnits, [&](const MixedUnits& units) {
+      return usedUnits() == Units::si && isOfSolids(speed * units.speed, density * units.density);
+    });
+    notes.push_back(fmt::format("a wave speed of {:.4g} m/s is none of a solid; {}", named,
                                 mixed == std::end(mixedUnits)
-                                    ? "are modulus and density in consistent units?"
+                                    ? fmt::format("are modulus and density in consistent units, {}?",
+                                                  unitSystems.find(unitSystems.nameOf(usedUnits()))->help)
                                     : fmt::format(fmt::runtime(mixed->hint), speed * mixed->speed)));
     return;
   }
@@ -127,7 +133,7 @@ bool isHeld(const Body& body) {
 
 std::vector<std::string> bodyNotes(const Body& body) {
   std::vector<std::string> notes = bodyNotes(body, isHeld(body));
-  if (const double size = bodyFigures(body).size.maxCoeff(); size > largestOfBodies)
+  if (const double size = bodyFigures(body).size.maxCoeff(); size > largestOfBodies && usedUnits() == Units::si)
     notes.push_back(fmt::format("the body is {:.4g} m long; of a mesh in mm the critical step is a thousandth", size));
   return notes;
 }

@@ -130,6 +130,7 @@ Scene makeScene(const std::filesystem::path& file, const std::vector<SceneTable>
       section.read(table, scene);
     }
   }
+  useUnits(scene.units);
   for (const SceneSection& section : sceneSections())
     if (const std::span<const SceneTable> own = tablesOf(tables, section.name); section.check && !own.empty())
       section.check(own, scene);

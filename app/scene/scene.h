@@ -15,6 +15,7 @@
 #include <ringwatch/app/scene/probe_quantity.h>
 #include <ringwatch/app/scene/scene_materials.h>
 #include <ringwatch/app/scene/time_table.h>
+#include <ringwatch/app/scene/units.h>
 #include <ringwatch/app/scene/where_expression.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/body/body.h>
@@ -219,6 +220,7 @@ struct Scene {
     std::string origin;                      // "scene.toml:31: [[probe]]", for messages
   };
 
+  Units units = Units::si;
   std::filesystem::path file;
   bool ofModel = false;                       // the file is a deck or a MuJoCo model
   std::vector<std::string> notes;             // what a user may want to know of how the file was read, one line each

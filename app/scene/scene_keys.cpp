@@ -95,11 +95,11 @@ std::string SceneSection::head() const {
 
 std::span<const SceneSection> sceneSections() {
   static const std::vector<SceneSection> sections{
-      meshSection(),     materialSection(), integratorSection(),  dampingSection(), monitorSection(),
-      handlerSection(),  fixSection(),      initialSection(),     moveSection(),    forceSection(),
-      pressureSection(), massSection(),     massDampingSection(), rigidSection(),   springSection(),
-      obstacleSection(), contactSection(),  cutSection(),         erosionSection(), probeSection(),
-      outputSection()};
+      unitsSection(),   meshSection(),     materialSection(), integratorSection(),  dampingSection(),
+      monitorSection(), handlerSection(),  fixSection(),      initialSection(),     moveSection(),
+      forceSection(),   pressureSection(), massSection(),     massDampingSection(), rigidSection(),
+      springSection(),  obstacleSection(), contactSection(),  cutSection(),         erosionSection(),
+      probeSection(),   outputSection()};
   return sections;
 }
 

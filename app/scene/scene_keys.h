@@ -108,9 +108,7 @@ bool isKeyOfEveryHandler(std::string_view key);
 bool isLawParameter(std::string_view key);
 /// What every help text says of units.
 inline constexpr std::string_view unitsText =
-    "Quantities are in any consistent units, such as m, s, kg, N, Pa or mm, s, t, N, MPa. The units that help texts "
-    "and\n"
-    "results name are those of the first set: read them as yours.\n";
+    "Quantities are in any consistent units. Help texts name those of SI, results those of units.system or --units.\n";
 
 /// The human-readable listing: every section and key with type, unit, default, range and help.
 std::string sceneHelp();

@@ -9,6 +9,7 @@
 namespace ringwatch {
 
 // The declarations of sections, each once; scene_keys.cpp lists them.
+SceneSection unitsSection();
 SceneSection meshSection();
 SceneSection materialSection();
 SceneSection integratorSection();

@@ -111,6 +111,11 @@ void takeBodyWide(std::span<const SceneTable> tables, Scene& scene) {
 
 }  // namespace
 
+SceneSection unitsSection() {
+  return plainSection({.name = "units", .help = "what labels call the numbers; none is converted"},
+                      {{choice("system", &Scene::units, unitSystems, "consistent units of the scene")}});
+}
+
 SceneSection meshSection() {
   return plainSection(
       {.name = "mesh",

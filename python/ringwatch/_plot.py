@@ -24,23 +24,28 @@ def _axes(ax: Any) -> Any:
 
 
 def run(history: Mapping[str, NDArray[Any]], events: Sequence[Mapping[str, Any]], verdict: str, ax: Any) -> Any:
-    curves = [curve for curve in (("optimistic_s", "optimistic: unstable above", {"color": _OPTIMISTIC}),
-                                  ("safe_s", "safe: stable up to here", {"color": _SAFE}),
-                                  ("metric_step_s", "by the metric: an estimate", {"color": "tab:blue"}))
-              if np.isfinite(history[curve[0]]).any()]
+    def column(stem: str) -> str:
+        """The name of a column, which ends with its unit unless the scene names none."""
+        return next(name for name in history if stem in (name, name.rpartition("_")[0]))
+
+    unit = f" ({column('time')[5:]})" if column("time") != "time" else ""
+    curves = [curve for curve in (("optimistic", "optimistic: unstable above", {"color": _OPTIMISTIC}),
+                                  ("safe", "safe: stable up to here", {"color": _SAFE}),
+                                  ("metric_step", "by the metric: an estimate", {"color": "tab:blue"}))
+              if np.isfinite(history[column(curve[0])]).any()]
     if not curves:
         raise InputError("plot: the run was not monitored: it has neither bracket nor metric")
     ax = _axes(ax)
-    time = history["time_s"]
-    for column, label, style in [*curves, ("h_s", "step taken", {"color": _TAKEN, "linestyle": "--"})]:
-        ax.plot(time, history[column], label=label, **style)
+    time = history[column("time")]
+    for stem, label, style in [*curves, ("h", "step taken", {"color": _TAKEN, "linestyle": "--"})]:
+        ax.plot(time, history[column(stem)], label=label, **style)
     begun: dict[str, list[float]] = {}
     for event in events:
         begun.setdefault(str(event["kind"]), []).append(float(event["time"]))
     for number, (kind, times) in enumerate(begun.items()):
         for time_of in times:
             ax.axvline(time_of, color=f"C{4 + number}", linewidth=1, label=kind if time_of == times[0] else None)
-    ax.set(xlabel="time (s)", ylabel="step (s)", title=verdict)
+    ax.set(xlabel=f"time{unit}", ylabel=f"step{unit}", title=verdict)
     ax.legend()
     return ax
 

@@ -376,8 +376,9 @@ TEST_F(Report, ThatCannotBeWrittenLeavesTheRunItsStatus) {
   for (const char* option : {"--report", "--live"}) {
     const test::Outcome run = call("run tiny.toml --quiet --set integrator.step=5e-4 --out r " + std::string(option));
     EXPECT_EQ(run.status, 0);
-    EXPECT_THAT(run.err, AllOf(StartsWith("ringwatch: " + std::string(option) + ": the results are there, but the page"),
-                               HasSubstr("r/report.html")));
+    EXPECT_THAT(run.err,
+                AllOf(StartsWith("ringwatch: " + std::string(option) + ": the results are there, but the page"),
+                      HasSubstr("r/report.html")));
     EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1);
     EXPECT_EQ(json("r/summary.json")["exit_status"], 0);
   }

@@ -38,7 +38,7 @@ TEST(RunForecast, SaysNothingOfARunThatEndsSoon) {
 }
 
 TEST(RunForecast, NamesTimesAsPeopleDo) {
-  EXPECT_EQ(RunForecast::durationText(42), "42 s");
+  EXPECT_EQ(RunForecast::durationText(42), "42 seconds");
   EXPECT_EQ(RunForecast::durationText(600), "10 min");
   EXPECT_EQ(RunForecast::durationText(3 * 3600), "3.0 h");
   EXPECT_EQ(RunForecast::durationText(10 * 86400), "10 days");

@@ -29,7 +29,7 @@ where = "x < 1e-6"
   const Outcome outcome = call("scale-mass two.toml --step " + test::digits(step) + " --json a.json");
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out,
-              AllOf(HasSubstr("little, at nodes"), HasSubstr("by element frequency"), HasSubstr("by material, kg:")));
+              AllOf(HasSubstr("little, at nodes"), HasSubstr("by element frequency"), HasSubstr("by material (kg):")));
   const Json report = json("a.json");
   EXPECT_EQ(report["needed"], true);
   EXPECT_EQ(report["safe"], safe);

@@ -1,4 +1,6 @@
-// Small helpers for elements, texts and files.
+// The page's data, and small helpers for elements, texts and files.
+
+export const report = JSON.parse(document.getElementById('report').textContent);
 
 /// An element with attributes and children: make('button', {type: 'button'}, 'Save').
 export function make(name, attributes = {}, ...children) {
@@ -25,6 +27,11 @@ export function number(value, digits = 4) {
   if (value === 0) return '0';
   const rounded = Number(value.toPrecision(digits));
   return Math.abs(value) >= 1e-3 && Math.abs(value) < 1e6 ? rounded.toString() : rounded.toExponential().replace('e+', 'e');
+}
+
+/// The page's name of an SI unit between two texts; '' where the page names none.
+export function unit(si, before = ' ', behind = '') {
+  return report.units[si] && before + report.units[si] + behind;
 }
 
 export function save(name, type, parts) {

@@ -1,7 +1,7 @@
 // Bracket, who controls it, and energies, against time with one cursor and one zoom.
 import uPlot from 'uplot';
 import {arrayOf} from './arrays.js';
-import {bound, colourOf, make, number, slider} from './dom.js';
+import {bound, colourOf, make, number, slider, unit} from './dom.js';
 
 const sideOf = {safe_s: -1, optimistic_s: 1};  // on which a bound of that column is rounded
 
@@ -100,10 +100,10 @@ export async function startHistory(report, place, before) {
   function pointAt(row, fromSlider) {
     if (row === null || row === undefined) return;
     cursorAt.input.value = row;
-    cursorAt.output.textContent = `t = ${number(time[row], 6)} s`;
-    cursorAt.input.setAttribute('aria-valuetext', `step ${columns.step[row]}, t = ${number(time[row], 6)} s`);
+    cursorAt.output.textContent = `t = ${number(time[row], 6)}${unit('s')}`;
+    cursorAt.input.setAttribute('aria-valuetext', `step ${columns.step[row]}, t = ${number(time[row], 6)}${unit('s')}`);
     const texts = [`step ${columns.step[row]}`];
-    for (const [name, label] of [...steps, ...energies]) texts.push(`${label} ${bound(columns[name][row], sideOf[name] || 0)} ${name.endsWith('_J') ? 'J' : 's'}`);
+    for (const [name, label] of [...steps, ...energies]) texts.push(`${label} ${bound(columns[name][row], sideOf[name] || 0)}${unit(name.endsWith('_J') ? 'J' : 's')}`);
     const element = controlling[row];
     if (element >= 0) texts.push(`controlled by element ${names[element]}`);
     if (columns.handled_elements && columns.handled_elements[row] > 0) texts.push(`${columns.handled_elements[row]} elements handled`);
@@ -201,7 +201,7 @@ export async function startHistory(report, place, before) {
     const log = isLogarithmic();
     logButton.setAttribute('aria-pressed', String(log));
     const line = ([, , colour, dash]) => ({stroke: colourOf(colour), width: 1.8, dash, spanGaps: false, points: {show: rows < 3}});
-    plot('Step (s)', 300, steps.map(line), {
+    plot(`Step${unit('s', ' (', ')')}`, 300, steps.map(line), {
       data: [time, ...steps.map(([name]) => gaps(columns[name], log))],
       scales: {y: log ? {distr: 3} : {range: (u, low, high) => [0, 1.06 * high || 1]}},
     }, steps);
@@ -216,7 +216,7 @@ export async function startHistory(report, place, before) {
       plot('Handled elements', 130, [line(['', '', '--mark', []])], {data: [time, gaps(columns.handled_elements, false)], scales: {y: {range: (u, low, high) => [0, 1.1 * high || 1]}}});
     if (energies.length) {
       const log = logarithmic === true, compressed = !log && energyUnit !== null;
-      plot(compressed ? 'Energies (J), large ones compressed' : 'Energies (J)', 230, energies.map(line), {
+      plot(`Energies${unit('J', ' (', ')')}${compressed ? ', large ones compressed' : ''}`, 230, energies.map(line), {
         data: [time, ...energies.map(([name]) => gaps(columns[name], log))],
         scales: {y: log ? {distr: 3} : compressed ? {distr: 4, asinh: energyUnit, range: (u, low, high) => [low, high]} : {}},
         yAxis: compressed ? {splits: (u, axis, low, high) => decades(low, high)} : {},

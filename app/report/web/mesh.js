@@ -3,7 +3,7 @@ import {BufferAttribute, BufferGeometry, ColorManagement, LinearSRGBColorSpace, 
         MeshBasicMaterial, DoubleSide, PerspectiveCamera, Raycaster, Scene, Vector2, Vector3, WebGLRenderer} from 'three';
 import {OrbitControls} from 'three/examples/jsm/controls/OrbitControls.js';
 import {arrayOf, fieldValues} from './arrays.js';
-import {colourOf, make, number, select, slider} from './dom.js';
+import {colourOf, make, number, select, slider, unit} from './dom.js';
 
 // As in surface_picture.cpp.
 const stops = [[165, 0, 38], [244, 109, 67], [254, 224, 144], [116, 173, 209], [49, 54, 149]];
@@ -144,8 +144,8 @@ export async function startMesh(report, place, stepField, before) {
     values = field ? await fieldValues(field) : null;
     steps = step ? await fieldValues(step) : null;
     frameSlider.input.value = index;
-    frameSlider.output.textContent = `${frame.number}, t = ${number(frame.time, 5)} s`;
-    frameSlider.input.setAttribute('aria-valuetext', `frame ${frame.number}, t = ${number(frame.time, 5)} s`);
+    frameSlider.output.textContent = `${frame.number}, t = ${number(frame.time, 5)}${unit('s')}`;
+    frameSlider.input.setAttribute('aria-valuetext', `frame ${frame.number}, t = ${number(frame.time, 5)}${unit('s')}`);
     runsStep.disabled = !(frame.h > 0);
     if (first) look();
     else {
@@ -272,7 +272,7 @@ export async function startMesh(report, place, stepField, before) {
     let at = 0;
     if (axis >= 0) {
       at = frame.min[axis] + (frame.max[axis] - frame.min[axis]) * Number(clipSlider.input.value) / 1000;
-      clipSlider.output.textContent = `${'xyz'[axis]} = ${number(at, 3)} m`;
+      clipSlider.output.textContent = `${'xyz'[axis]} = ${number(at, 3)}${unit('m')}`;
       at -= centre.getComponent(axis);
     } else clipSlider.output.textContent = 'off';
     const below = threshold > 0 && steps !== null;
@@ -315,7 +315,7 @@ export async function startMesh(report, place, stepField, before) {
     edges(found, edgesOfTriangles(marked, marked.length / 3));
     if (stepField) {
       thresholdSlider.output.textContent = !steps ? 'this frame has no steps'
-          : below ? `h = ${number(threshold, 4)} s: ${shown} of ${group.elements}` : 'none';
+          : below ? `h = ${number(threshold, 4)}${unit('s')}: ${shown} of ${group.elements}` : 'none';
       thresholdSlider.input.setAttribute('aria-valuetext', thresholdSlider.output.textContent);
     }
     render();

@@ -1,11 +1,10 @@
 // Brings a page to life. Without it the page has its texts, tables and still pictures.
 import {arrayOf, fieldValues} from './arrays.js';
-import {make, save} from './dom.js';
+import {make, report, save, unit} from './dom.js';
 import {historyColumns, startHistory} from './history.js';
 import {remembered, startReloading} from './live.js';
 import {startMesh} from './mesh.js';
 
-const report = JSON.parse(document.getElementById('report').textContent);
 document.documentElement.classList.add('scripted');
 const stem = report.name.replace(/^(Run of|Mesh) /, '').replace(/\.(toml|msh)$/, '').replace(/[^\w.-]+/g, '_');
 
@@ -36,7 +35,7 @@ const plain = value => Number.isNaN(value) ? '' : String(value);
 
 async function saveHistory() {
   const {columns, controlling, verdicts, rows} = await historyColumns(report.history);
-  const names = Object.keys(columns), lines = [[...names, 'controlling_element', 'verdict'].join(',')];
+  const names = Object.keys(columns), lines = [[...report.history.columns.map(column => column.head), 'controlling_element', 'verdict'].join(',')];
   for (let i = 0; i < rows; ++i)
     lines.push([...names.map(name => plain(columns[name][i])), controlling[i] < 0 ? '' : report.history.elements[controlling[i]],
                 report.history.verdictNames[verdicts[i]]].join(','));
@@ -45,7 +44,7 @@ async function saveHistory() {
 
 async function saveElements(mesh) {
   const {frame, group, fields, name} = await mesh.elements();
-  const lines = [['frame', 'time_s', 'element', 'number', ...fields.map(([field]) => cell(field))].join(',')];
+  const lines = [['frame', `time${unit('s', '_')}`, 'element', 'number', ...fields.map(([field]) => cell(field))].join(',')];
   for (let i = 0; i < group.cells.length; ++i)
     lines.push([frame.number, frame.time, name(i), group.ids[i], ...fields.map(([, values]) => plain(values[i]))].join(','));
   save(`${stem}-frame-${frame.number}.csv`, 'text/csv', [lines.join('\n'), '\n']);
