@@ -397,7 +397,7 @@ struct Opening {
   Tone tone;
   std::string_view title, opening;
 };
-constexpr std::string_view indefiniteOnly = "not-certified, for the tangent alone";
+constexpr std::string_view ofHighestAlone = "certified, for the highest frequency alone";
 constexpr Opening openings[] = {
     {"certified", Tone::good, "Stable",
      "Each of the {watched:.0f} steps to t = {time:.6g} s was proven to be below the critical step of {what}, with "
@@ -405,10 +405,9 @@ constexpr Opening openings[] = {
     {"not-certified", Tone::unsure, "Not proven",
      "No step to t = {time:.6g} s was seen to be unstable, but only {proven:.0f} of {watched:.0f} steps were proven "
      "stable, with {h}."},
-    {indefiniteOnly, Tone::unsure, "Not proven",
+    {ofHighestAlone, Tone::unsure, "Stable",
      "Each of the {watched:.0f} steps to t = {time:.6g} s was proven to be below the limit that the highest frequency "
-     "of "
-     "{what} sets, with {h}, but the tangent was indefinite, which no step cures."},
+     "of {what} sets, with {h}, but the tangent was indefinite, which no step cures."},
     {"violated", Tone::bad, "Step too large", ""},
     {"unstable", Tone::bad, "Unstable", ""},
     {"", Tone::unsure, "Not watched",
@@ -416,9 +415,9 @@ constexpr Opening openings[] = {
 };
 
 const Opening& openingOf(const Diagnosis& run) {
-  const bool ofTangent = run.verdict == "not-certified" && run.indefinite && run.certified == run.watched;
+  const bool ofHighest = run.verdict == "certified" && run.indefinite;
   const auto found =
-      std::ranges::find(openings, ofTangent ? indefiniteOnly : std::string_view(run.verdict), &Opening::verdict);
+      std::ranges::find(openings, ofHighest ? ofHighestAlone : std::string_view(run.verdict), &Opening::verdict);
   const bool unwatched = found == std::end(openings) || (run.verdict == "not-certified" && !(run.watched > 0));
   return unwatched ? *std::rbegin(openings) : *found;
 }

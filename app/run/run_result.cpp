@@ -36,9 +36,8 @@ ExitStatus RunResult::exitStatus() const {
 std::string_view RunResult::verdict() const {
   if (reason == ExitReason::nonFinite || reason == ExitReason::stepFailed || runaway || energyOff()) return "unstable";
   if (violatedStepTaken || reason == ExitReason::violated) return "violated";
-  // The state that it ended in, or one on the way, has no step that could be certified.
-  if (worst == Verdict::certified && (reason == ExitReason::stepCollapsed || happened(EventKind::indefinite)))
-    return verdictName(Verdict::notCertified);
+  // The state that it ended in has no step that could be certified.
+  if (worst == Verdict::certified && reason == ExitReason::stepCollapsed) return verdictName(Verdict::notCertified);
   return worst ? verdictName(*worst) : "unmonitored";
 }
 

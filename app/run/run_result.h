@@ -173,11 +173,9 @@ struct RunResult {
   bool canGoOn() const { return reason == ExitReason::interrupted || reason == ExitReason::failed; }
   /// An event of the kind happened, whether it ended or not.
   bool happened(EventKind kind) const;
-  /// Every step that was watched was certified, and there was one, and no tangent was indefinite: a step that is safe
-  /// for the highest frequency is not stable then.
-  bool certified() const {
-    return watchedSteps > 0 && certifiedSteps == watchedSteps && !happened(EventKind::indefinite);
-  }
+  /// Every step that was watched was certified, and there was one: safe for the highest frequency. Where a tangent was
+  /// indefinite, which is an event, no more is proven.
+  bool certified() const { return watchedSteps > 0 && certifiedSteps == watchedSteps; }
   /// Nothing beyond the monitor's first observation was certified, though there was more; or nothing could be, of a
   /// handler's steps that had no explicit element.
   bool neverCertified() const {
