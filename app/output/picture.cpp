@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <ringwatch/app/output/gnuplot.h>
+#include <ringwatch/app/scene/units.h>
 #include <ringwatch/base/atomic_file.h>
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/base/subprocess.h>

@@ -7,6 +7,7 @@
 
 #include <ringwatch/app/output/report.h>
 #include <ringwatch/app/report/surface_picture.h>
+#include <ringwatch/app/scene/units.h>
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/base/sort_unique.h>
 #include <ringwatch/meshes/adjacency.h>
