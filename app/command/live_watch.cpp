@@ -11,6 +11,7 @@
 
 #include <ringwatch/app/output/provenance.h>
 #include <ringwatch/app/run/run_forecast.h>
+#include <ringwatch/app/scene/units.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/infinity.h>
 
@@ -73,7 +74,8 @@ std::vector<std::string> bracketLines(const std::vector<LivePoint>& points, doub
   const auto mark = [&](double time, double step, char sign) {
     if (!std::isfinite(step) || step < 0 || step > largest) return;
     const int column = std::clamp(static_cast<int>((time - begin) / range * columns), 0, columns - 1);
-    const int row = std::clamp(height - 1 - static_cast<int>(step / largest * (height - 1) + 0.5), 0, height - 1);
+    const int row =
+        std::clamp(height - 1 - static_cast<int>(std::lround(step / largest * (height - 1))), 0, height - 1);
     picture[row][column] = sign;
   };
   // What comes later covers what came before: the step that is taken is always seen.

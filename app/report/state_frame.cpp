@@ -1,5 +1,7 @@
 #include <ringwatch/app/report/state_frame.h>
 
+#include <ringwatch/app/scene/units.h>
+
 namespace ringwatch {
 
 VtuFrame stateFrame(const Body& body, const NodeVectors& x, const CriticalStep* bracket, std::optional<double> step) {

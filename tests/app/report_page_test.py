@@ -377,7 +377,7 @@ def check_terminal(browser, chromium, run):
     os.close(main)
     shares = [int(n) for n in re.search(r"wall time: monitor (\d+) %, force (\d+) %, output (\d+) %", last).groups()]
     true(98 <= sum(shares) <= 102, f"the shares of the wall time are {shares}")
-    done, now, to, left = re.search(r"\] (\d+) %, t = (\S+) of (\S+) s, ([\d.]+) (?:s|min|h) left", last).groups()
+    done, now, to, left = re.search(r"\] (\d+) %, t = (\S+) of (\S+) s, ([\d.]+) (?:seconds|min|h) left", last).groups()
     equal(float(to), float(end), "the end of the run")
     true(abs(int(done) - 100 * float(now) / end) <= 1 and float(left) >= 0, f"{done} % at t = {now} s, {left} left")
     true("h = 0.0008 s" in last and re.search(r"safe \S+ s, optimistic \S+ s, element 0:\d+", last), last)
