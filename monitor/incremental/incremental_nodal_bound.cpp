@@ -8,13 +8,6 @@
 #include <ringwatch/monitor/incremental/local_update.h>
 
 namespace ringwatch {
-namespace {
-
-/// An eigenvalue that lies above a lower bound by a share of the width, relative in the step.
-double above(LowerBound lower, double width) { return (1 + width) * (1 + width) * lower.value; }
-
-}  // namespace
-
 IncrementalNodalBound::IncrementalNodalBound(const Body& body, const RebuildPolicy& policy, WorkAccount* account)
     : body_(body),
       policy_(policy),

@@ -15,6 +15,9 @@
 
 namespace ringwatch {
 
+/// The eigenvalue whose step is by `width` below that of a lower bound, rad²/s².
+inline double above(LowerBound lower, double width) { return (1 + width) * (1 + width) * lower.value; }
+
 /// The block nodal bound kept along a run at little cost. Its certificate (CertificateState, Theorem 14) stays as it is
 /// while every element is inside its validity ball (Theorem 17). An element that leaves is evaluated exactly; when it
 /// exceeds its allowance, the certificate is mended around it (localUpdate, Theorem 20), and rebuilt from scratch where

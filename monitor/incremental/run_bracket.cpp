@@ -42,7 +42,6 @@ const std::optional<CriticalStep>& RunBracket::evaluate(NodeVectorsView x, const
   const DiscreteForces::Look look(body_.discreteForces(), x);
   account_.earn(uncertified_);
   follow(x, limit, h, evaluation);
-  observed_ = true;
   ++observations_;
   return step_;
 }
@@ -59,7 +58,7 @@ void RunBracket::adaptSlack() {
 }
 
 void RunBracket::charge(WorkOn what, double work) {
-  if (!observed_) return;  // the first proof is free
+  if (!observed()) return;  // the first proof is free
   if (what == WorkOn::searches)
     account_.spendOnSearches(work);
   else if (forVerdict_)
@@ -70,10 +69,10 @@ void RunBracket::charge(WorkOn what, double work) {
 }
 
 bool RunBracket::affords(double work) const {
-  return !observed_ || account_.affordsForMode(work) || (forVerdict_ && account_.affordsForVerdict(work));
+  return !observed() || account_.affordsForMode(work) || (forVerdict_ && account_.affordsForVerdict(work));
 }
 
-bool RunBracket::affordsSearch(double work) const { return !observed_ || account_.affordsForSearches(work); }
+bool RunBracket::affordsSearch(double work) const { return !observed() || account_.affordsForSearches(work); }
 
 const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const StepRule& limit, std::optional<double> h,
                                                       StepEvaluation* evaluation) {
@@ -119,15 +118,17 @@ const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const S
       lower = higher(lower, whole);
     }
     lower = boundWhereItRose(x, sigma, lower);
-    if (moves && affords(WorkAccount::ofRing(*body_.blocks()[moved_->highest().block])) &&
-        examineRing(x, moved_->highest(), lower))
-      local_.choose(mode_, localNodes_);
+    if (moves) {
+      const ElementRef highest = moved_->highest();
+      if (affords(WorkAccount::ofRing(*body_.blocks()[highest.block])) && examineRing(x, highest, lower))
+        local_.choose(mode_, localNodes_);
+    }
     forVerdict_ = uncertified_;
     lower = boundWhereItTouches(x, lower);
     forVerdict_ = false;
   }
   // A bracket that is too wide is either side's fault: bound it from below again before moving the upper side.
-  const double highest = moves ? (1 + width_) * (1 + width_) * lower.value : nodal_.highest(lower, width_);
+  const double highest = moves ? above(lower, width_) : nodal_.highest(lower, width_);
   const bool wide = upper.value > highest;
   if (wide) restart_.tick();
   if (first || ((rebuilt || (wide && restart_.due())) && affords(workOfRestart()))) {
@@ -149,10 +150,7 @@ const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const S
     upper.value = std::min(upper.value, nodal.value);
     statistics_.evaluated += nodal_.statistics().evaluated;
   }
-  if (moves)
-    statistics_.evaluated += moved_->statistics().evaluated;
-  else
-    statistics_.evaluated += exchange_.evaluated();
+  statistics_.evaluated += moves ? moved_->statistics().evaluated : exchange_.evaluated();
   if (!moves && !h && account_.incomeForMode() > 0)
     gain_ += std::max(std::sqrt(upper.value / lower.value) - 1, 0.0) * workOfStepBesideMoved();
   step_ = CriticalStep{safeStep(upper, limit),
@@ -172,7 +170,7 @@ const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const S
 }
 
 bool RunBracket::follows(NodeVectorsView x, StepEvaluation*& evaluation, UpperBound& upper) {
-  const double start = WorkAccount::ofRebuild(body_), enough = (1 + width_) * (1 + width_) * local_.last().value;
+  const double start = WorkAccount::ofRebuild(body_), enough = above(local_.last(), width_);
   const bool starts = !moved_;
   if (starts) {
     if (gain_ < start) return false;
@@ -213,7 +211,7 @@ bool RunBracket::certify(NodeVectorsView x, const StepRule& limit, double h, Ste
     bracketed_ = false;
     finite_ = true;
     searchUnderCompression(x);
-    observed_ = true;
+    ++observations_;
     return true;
   };
   if (exchange_.proves(sigma)) {
@@ -225,7 +223,7 @@ bool RunBracket::certify(NodeVectorsView x, const StepRule& limit, double h, Ste
     if (proven) return certified();
   }
   // What is certified goes beyond the budget no more than the means for proofs do.
-  if (cheapest_.due() && (!observed_ || account_.affords(0) || account_.affordsForProof(0))) {
+  if (cheapest_.due() && (!observed() || account_.affords(0) || account_.affordsForProof(0))) {
     nodal_.spare(false);
     const bool proven = nodal_.certify(x, sigma, evaluation);
     evaluation = nullptr;
@@ -235,7 +233,7 @@ bool RunBracket::certify(NodeVectorsView x, const StepRule& limit, double h, Ste
     before += statistics_.evaluated;
   }
   follow(x, limit, h, evaluation);
-  observed_ = true;
+  ++observations_;
   statistics_.evaluated += before;
   const bool safe = step_ && h <= step_->safe;
   if (safe)
@@ -247,13 +245,13 @@ bool RunBracket::certify(NodeVectorsView x, const StepRule& limit, double h, Ste
 
 bool RunBracket::proveByShares(NodeVectorsView x, double sigma) {
   const double work = exchange_.workOfProof();
-  const bool wanted = observed_ ? workOfProofs() - atShares_ >= work
-                                : nodal_.weights().last() > policy_.hardlyProven * sigma && work < infinity &&
-                                      account_.affordsAtStart(work);
+  const bool wanted = observed() ? workOfProofs() - atShares_ >= work
+                                 : nodal_.weights().last() > policy_.hardlyProven * sigma && work < infinity &&
+                                       account_.affordsAtStart(work);
   const bool first = mode_.size() == 0;
   if (!wanted || (first && nodal_.highestElements(1).empty())) return false;
   const LowerBound lower = first ? startMode(x) : refreshMode(x, policy_.productsOfFollowing);
-  const bool byShares = exchange_.proveFor(x, sigma, mode_, lower, !observed_);
+  const bool byShares = exchange_.proveFor(x, sigma, mode_, lower, !observed());
   statistics_.evaluated += exchange_.evaluated();
   atShares_ = workOfProofs();
   return byShares;

@@ -137,10 +137,10 @@ class RunBracket {
 
   template <class Archive>
   void archive(Archive& a) {
-    a(slack_, account_, spent_, observed_, atShares_, uncertified_, nodal_, exchange_, local_, localNodes_,
-      regionBound_, own_, softest_, mode_, method_, statistics_, bracketed_, finite_, cheapest_, sharpening_,
-      sharpeningRestart_, searchesNext_, wholeMode_, restart_, search_, examination_, lowest_, nextCompressed_, least_,
-      searchedAt_, step_, best_, bestAt_, gain_, ofMoved_, observations_);
+    a(slack_, account_, spent_, atShares_, uncertified_, nodal_, exchange_, local_, localNodes_, regionBound_, own_,
+      softest_, mode_, method_, statistics_, bracketed_, finite_, cheapest_, sharpening_, sharpeningRestart_,
+      searchesNext_, wholeMode_, restart_, search_, examination_, lowest_, nextCompressed_, least_, searchedAt_, step_,
+      best_, bestAt_, gain_, ofMoved_, observations_);
     bool moves = moved_.has_value();
     a(moves);
     if (!moves) moved_.reset();
@@ -156,6 +156,7 @@ class RunBracket {
   /// proves. It is started once a wide bracket has cost as much as that takes, in steps that were shorter than they
   /// could be, and given up when it takes more than it saves. `evaluation` is filled in, and becomes nullptr.
   bool follows(NodeVectorsView x, StepEvaluation*& evaluation, UpperBound& upper);
+  bool observed() const { return observations_ > 0; }
   /// What a step takes beside the moved bound, on average.
   double workOfStepBesideMoved() const;
   /// Threshold mode: proves sigma by shares, where the weights do not, or hardly, at the first observation, and later
@@ -212,7 +213,6 @@ class RunBracket {
   double width_, slack_;  // slack_: of the certified eigenvalue, as large as means make it
   WorkAccount account_;
   Work spent_;                // on the lower side and on searches
-  bool observed_ = false;     // once: what comes is paid for
   double atShares_ = 0;       // workOfProofs() when shares were made last in threshold mode
   bool uncertified_ = false;  // the step, by the upper side
   bool forVerdict_ = false;   // what is done now is for the verdict
@@ -222,7 +222,7 @@ class RunBracket {
   /// In WorkAccount's units. gain_: what shorter steps than they could be have cost while it does not serve; what it
   /// has saved, while it does. A step saves its force, and the rest of what the monitor does for one.
   double gain_ = 0, ofMoved_ = 0;
-  std::int64_t observations_ = 0;
+  std::int64_t observations_ = 0;  // after the first, what comes is paid for
   LocalMode local_, scout_;
   StiffNodes stiff_;
   std::size_t localNodes_;
