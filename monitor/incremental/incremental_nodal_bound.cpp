@@ -8,6 +8,7 @@
 #include <ringwatch/monitor/incremental/local_update.h>
 
 namespace ringwatch {
+
 IncrementalNodalBound::IncrementalNodalBound(const Body& body, const RebuildPolicy& policy, WorkAccount* account)
     : body_(body),
       policy_(policy),
