@@ -15,7 +15,7 @@
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/median.h>
 #include <ringwatch/meshes/generators/generators.h>
-#include <ringwatch/monitor/critical_step_tiers.h>
+#include <ringwatch/monitor/critical_step.h>
 #include <ringwatch/monitor/stability_monitor.h>
 
 namespace ringwatch::bench {
@@ -85,10 +85,11 @@ void measure(const std::string& element, int perCell, double jitter, double coun
   observe("bracket, half the step", MonitorMode::bracket, 0.5 * critical);
   observe("bracket, no step chosen", MonitorMode::bracket, std::nullopt);
   const double begin = cpuSeconds();
-  const CriticalStep best = criticalStepInTiers(body, X, 2, std::nullopt, nullptr, [&](double safe, double optimistic) {
-    rows.push_back({std::isfinite(optimistic) ? "inspect, so far" : "inspect, safe side alone",
-                    (cpuSeconds() - begin) / force, safe, bytesSoFar() / elements});
-  });
+  const CriticalStep best =
+      criticalStep(body, X, 2, {.listener = [&](double safe, double optimistic) {
+                     rows.push_back({std::isfinite(optimistic) ? "inspect, so far" : "inspect, safe side alone",
+                                     (cpuSeconds() - begin) / force, safe, bytesSoFar() / elements});
+                   }});
   rows.push_back({"inspect", (cpuSeconds() - begin) / force, best.safe, bytesSoFar() / elements});
   for (const Row& row : rows)
     std::printf("  %-26s %8.0f forces   safe %.4f of the optimistic side   %6.0f bytes an element\n", row.name.c_str(),

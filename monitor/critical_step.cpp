@@ -10,7 +10,6 @@
 #include <ringwatch/monitor/bounds/lowest_mode.h>
 #include <ringwatch/monitor/bounds/nodal_bound.h>
 #include <ringwatch/monitor/bounds/top_mode.h>
-#include <ringwatch/monitor/critical_step_tiers.h>
 
 namespace ringwatch {
 namespace {
@@ -28,20 +27,14 @@ void requireProof(const StepRule& rule) {
 }
 
 CriticalStep criticalStep(const Body& body, NodeVectorsView x, const StepRule& limit,
-                          const std::optional<LanczosOptions>& lanczos, std::int64_t* evaluations) {
-  return criticalStepInTiers(body, x, limit, lanczos, evaluations, {});
-}
-
-CriticalStep criticalStepInTiers(const Body& body, NodeVectorsView x, const StepRule& limit,
-                                 const std::optional<LanczosOptions>& lanczos, std::int64_t* evaluations,
-                                 const BracketListener& listener) {
+                          const CriticalStepOptions& options) {
   requireProof(limit);
   body.checkNodal("x", x);
   const auto count = [&](std::int64_t spent) {
-    if (evaluations) *evaluations += spent;
+    if (options.evaluations) *options.evaluations += spent;
   };
   const auto tell = [&](UpperBound upper, double optimistic) {
-    if (listener && std::isfinite(upper.value)) listener(safeStep(upper, limit), optimistic);
+    if (options.listener && std::isfinite(upper.value)) options.listener(safeStep(upper, limit), optimistic);
   };
   NodalBound weights(body);
   UpperBound upper = weights.evaluate(x, firstSweeps);
@@ -57,12 +50,16 @@ CriticalStep criticalStepInTiers(const Body& body, NodeVectorsView x, const Step
   // Of the quotient it is known what dashpots give, which can say more of the step than a higher eigenvalue.
   const double optimistic = std::min(optimisticStep(lower, limit), optimisticStep(top.quotient, limit));
   tell(upper, optimistic);
-  upper.value = std::min(upper.value, weights.evaluate(x, sweeps - firstSweeps).value);
-  count(weights.evaluations());
-  tell(upper, optimistic);
+  const double enough = (1 + options.width) * (1 + options.width) * lower.value;
+  if (upper.value > enough) {
+    const SweepTarget target{.ample = enough, .leastOfRest = 0.5};
+    upper.value = std::min(upper.value, weights.evaluate(x, sweeps, NodalBound::Start::rows, 0, target).value);
+    count(weights.evaluations());
+    tell(upper, optimistic);
+  }
   std::string_view safeBy = "nodal-bound";
-  if (ExchangePolicy::worth(body, upper, lower)) {
-    const ExchangeBound exchange = exchangeUpperBound(body, x, weights, lower);
+  if (ExchangePolicy::worth(body, upper, lower, options.width)) {
+    const ExchangeBound exchange = exchangeUpperBound(body, x, weights, lower, options.width);
     count(exchange.decompositions);
     if (exchange.upper.value < upper.value) {
       upper = exchange.upper;
@@ -91,8 +88,9 @@ CriticalStep criticalStepInTiers(const Body& body, NodeVectorsView x, const Step
       step.lowestRingElement = lowest.element;
     }
   }
-  if (lanczos) {
-    const LanczosBound bound = lanczosUpperBound(body, x, lanczos->width, lanczos->eta, lanczos->seed);
+  if (options.lanczos) {
+    const LanczosBound bound =
+        lanczosUpperBound(body, x, options.lanczos->width, options.lanczos->eta, options.lanczos->seed);
     step.probable = {limit(bound.upper.value), bound.upper.eta, bound.products};
   }
   return step;

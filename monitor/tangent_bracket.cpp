@@ -337,9 +337,10 @@ struct TangentBracket::Impl {
       exchange.reset();
   }
   UpperBound exchangeBound(LowerBound lower, int iterations) {
+    using Policy = ExchangePolicy;
     return exchange
-        ->evaluate(noPositions, *bound, ExchangePolicy::aim * lower.value, ExchangePolicy::narrow * lower.value,
-                   iterations)
+        ->evaluate(noPositions, *bound, Policy::aim(Policy::width) * lower.value,
+                   Policy::narrow(Policy::width) * lower.value, iterations)
         .upper;
   }
 };

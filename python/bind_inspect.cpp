@@ -34,11 +34,13 @@ py::object metricResult(const MetricResult& metric, const StepRule& rule) {
 }
 
 py::object inspect(HeldBody& held, const py::object& positions, double limit, const std::vector<std::string>& names,
-                   bool exact) {
+                   bool exact, double width) {
   static const ResultType& type = *new ResultType("Inspection", 10);
   const Body& body = held.body;
   if (!(limit > 0) || !std::isfinite(limit))
     throw InputError(joinText("limit = ", limit, ": must be > 0 and finite, an integrator's largest stable h omega"));
+  if (!(width >= 0) || !std::isfinite(width))
+    throw InputError(joinText("width = ", width, ": must be >= 0, e.g. 0.05 for 5 %"));
   const NodeVectorsView x =
       positions.is_none() ? NodeVectorsView(body.mesh().X) : nodalOf("x", positions, body.nodeCount());
   for (const std::string& name : names) metricDirection(name, body);  // throws before anything is computed
@@ -48,7 +50,7 @@ py::object inspect(HeldBody& held, const py::object& positions, double limit, co
   GlobalFrequency global;
   std::vector<MetricResult> metrics;
   reading(held, [&] {
-    step = criticalStep(body, x, rule);
+    step = criticalStep(body, x, rule, {.width = width});
     cause = elementCause(body, x, step.controlling);
     if (exact) global = globalFrequency(body, x);
     for (const std::string& name : names) metrics.push_back(evaluateMetric(name, body, x));
@@ -69,10 +71,13 @@ void bindInspect(py::module_& module) {
   bindFunction(module, "inspect", &inspect,
                "The critical step of a body at positions x ((N, 3), m; at rest without them), as `ringwatch inspect` "
                "gives it.\n\nlimit: the integrator's largest stable h omega. metrics: names, for the steps of all "
-               "elements. exact: also the\ncritical step itself, by a global eigenvalue. Raises InputError; "
+               "elements. exact: also the\ncritical step itself, by a global eigenvalue. width: optimistic over safe "
+               "step, less 1, that is narrow "
+               "enough; more is\nfaster. Raises InputError; "
                "NumericalError where the tangent is not finite.",
                "", py::arg("body"), py::arg("x") = py::none(), py::kw_only(), py::arg("limit") = 2.0,
-               py::arg("metrics") = std::vector<std::string>{"reduced-1-ring"}, py::arg("exact") = false);
+               py::arg("metrics") = std::vector<std::string>{"reduced-1-ring"}, py::arg("exact") = false,
+               py::arg("width") = CriticalStepOptions{}.width);
   bindFunction(
       module, "metric_names",
       [] {

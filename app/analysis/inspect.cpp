@@ -32,7 +32,6 @@
 #include <ringwatch/meshes/quality.h>
 #include <ringwatch/monitor/bounds/global_frequency.h>
 #include <ringwatch/monitor/certificate_file.h>
-#include <ringwatch/monitor/critical_step_tiers.h>
 #include <ringwatch/monitor/exact_step.h>
 #include <ringwatch/monitor/metrics/metrics.h>
 #include <ringwatch/monitor/stability_monitor.h>
@@ -496,6 +495,8 @@ void reportMetrics(const std::vector<MetricResult>& metrics, const StepRule& rul
 }
 
 void checkOptions(const InspectOptions& options) {
+  if (options.width && !(*options.width >= 0 && std::isfinite(*options.width)))
+    throw InputError(fmt::format("--width: {} is out of range; must be >= 0, e.g. 0.05 for 5 %", *options.width));
   if (options.lanczos && !(*options.lanczos > 0 && *options.lanczos <= 0.5))
     throw InputError(
         fmt::format("--lanczos: {} is out of range; must be > 0 and <= 0.5, a probability", *options.lanczos));
@@ -549,16 +550,15 @@ std::string provenText(const CriticalStep& step) {
 }
 
 CriticalStep reportBracket(const Subject& subject, const InspectOptions& options, InspectResult& result) {
-  std::optional<LanczosOptions> lanczos;
-  if (options.lanczos) lanczos.emplace().eta = *options.lanczos;
   ProgressLine progress(true);
-  const CriticalStep step =
-      options.bracket
-          ? options.bracket(subject.body, subject.x, subject.rule())
-          : criticalStepInTiers(
-                subject.body, subject.x, subject.rule(), lanczos, nullptr, [&](double safe, double optimistic) {
-                  progress.announce(fmt::format("critical step: proven so far {:.6g} to {:.6g} s", safe, optimistic));
-                });
+  CriticalStepOptions search;
+  if (options.width) search.width = *options.width;
+  if (options.lanczos) search.lanczos.emplace().eta = *options.lanczos;
+  search.listener = [&](double safe, double optimistic) {
+    progress.announce(fmt::format("critical step: proven so far {:.6g} to {:.6g} s", safe, optimistic));
+  };
+  const CriticalStep step = options.bracket ? options.bracket(subject.body, subject.x, subject.rule())
+                                            : criticalStep(subject.body, subject.x, subject.rule(), search);
   progress.clear();
   std::string& text = result.text;
   text += headOfBracket(subject.state, subject.model(), *subject.integrator, subject.damped());

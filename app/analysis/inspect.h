@@ -59,6 +59,7 @@ struct InspectOptions {
   std::vector<std::string> metrics;     // names; "all" for every one; empty for the usual ones
   std::vector<std::string> fix;         // nodes that are held, and behind a colon which components: "x < 1e-6:xy"
   bool global = false;                  // also the exact critical step, by a global eigenvalue
+  std::optional<double> width;          // of the bracket: CriticalStepOptions::width
   std::optional<double> lanczos;        // also a step that is safe but for this probability
   bool exact = false;                   // also both sides proven to within 1e-6, by a sparse factorisation
   std::optional<double> prove;          // s: whether this step is proven stable or unstable, by a sparse factorisation

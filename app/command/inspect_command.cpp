@@ -65,6 +65,8 @@ struct InspectCommand final : Command {
         ->type_name("CONDITION")
         ->allow_extra_args(false);
     command->add_flag("--global", options.global, "also the exact critical step, by a global eigenvalue");
+    command->add_option("--width", options.width,
+                        "optimistic over safe step, less 1, that is narrow enough (default: 0.01); more is faster");
     command->add_option("--lanczos", options.lanczos,
                         "also a step that is safe but for this probability, e.g. 1e-9, within 1 %, by Lanczos");
     command->add_flag("--exact", options.exact,

@@ -36,6 +36,7 @@ void requireDistributable(const InspectOptions& options) {
   for (const auto& [given, option] : {std::pair{options.step.has_value(), "--step"},
                                       {options.repair, "--repair"},
                                       {!options.metrics.empty(), "--metric"},
+                                      {options.width.has_value(), "--width"},
                                       {options.lanczos.has_value(), "--lanczos"},
                                       {options.exact, "--exact"},
                                       {options.prove.has_value(), "--prove"},

@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include <ringwatch/base/eigen_instances.h>
@@ -15,25 +19,35 @@ namespace ringwatch {
 namespace {
 
 using Pack = NativePack;
+/// What iterations work with: nothing is proven with it.
+using SinglePack = ringwatch::Pack<float, 2 * lanes>;
 
-LowestPart<Pack> removeLowestPart(Pack* A, Pack* P, int n, const Pack& enough, const Pack& step) {
+template <class P>
+LowestPart<P> removeLowestPart(P* A, P* matrix, int n, const P& enough, const P& step) {
   switch (n) {
     case 12:
-      return removeLowestPart<12>(A, P, n, enough, step);
+      return removeLowestPart<12>(A, matrix, n, enough, step);
     case 15:
-      return removeLowestPart<15>(A, P, n, enough, step);
+      return removeLowestPart<15>(A, matrix, n, enough, step);
     case 18:
-      return removeLowestPart<18>(A, P, n, enough, step);
+      return removeLowestPart<18>(A, matrix, n, enough, step);
     case 24:
-      return removeLowestPart<24>(A, P, n, enough, step);
+      return removeLowestPart<24>(A, matrix, n, enough, step);
     default:
-      return removeLowestPart<0>(A, P, n, enough, step);
+      return removeLowestPart<0>(A, matrix, n, enough, step);
   }
 }
 
 /// A matrix is shifted by this of the certified eigenvalue, times powers of two, until it is definite; then by halving.
 constexpr double leastShift = 0x1p-14;
-constexpr int mostDoublings = 20, halvings = 2;
+constexpr int mostDoublings = 20, halvings = 3;
+/// Of matrices in single precision, relative to their norm.
+constexpr double singleRounding = 1e-6;
+
+/// The matrix of an element of n nodes is kept as the blocks of its pairs of nodes a <= b, nine numbers each, row by
+/// row: which one.
+constexpr int pairOf(int n, int a, int b) { return a * n - a * (a - 1) / 2 + b - a; }
+constexpr int pairsOf(int n) { return pairOf(n, n, n); }
 
 class Composition final : public detail::ExchangeSplit {
  public:
@@ -41,44 +55,46 @@ class Composition final : public detail::ExchangeSplit {
   Composition(const TangentSource& source, NodeVectorsView x, const NodalBound& weights, double sigma,
               const ExchangeRoom& room = {}, const ExchangeShares* shares = nullptr,
               const std::vector<Eigen::Matrix3d>* majorants = nullptr)
-      : source_(source), room_(room), majorants_(majorants), sigma_(sigma) {
-    source.assembleBlocks(x, pattern_);
+      : source_(source), room_(room), majorants_(majorants) {
     std::int64_t total = 0;
     for (std::size_t b = 0; b < source.tangents().size(); ++b) {
       const int n = source.tangents()[b]->nodesPerElement();
       firstOfGroup_.push_back(elements_.size());
       for (std::int32_t e = 0; e < source.tangents()[b]->elementCount(); ++e) {
         elements_.push_back({{b, e}, n, total});
-        total += 9 * n * n;
+        total += 9 * pairsOf(n);
       }
     }
-    P_.resize(total);
-    fillTangents(x, P_);
-    norms_.resize(elements_.size());
-    for (std::size_t e = 0; e < elements_.size(); ++e) norms_[e] = normOf(P_, e);
-    indexBlocks();
-    setTarget(P_, weights);
-    if (shares)
-      startFrom(*shares);
-    else
-      startFrom(weights);
-    moved_.assign(elements_.size(), 0.0);
+    indexPairs(x);
+    {
+      AlignedVector<double> P(static_cast<std::size_t>(total));
+      fillTangents(x, P);
+      setTarget(P, weights, sigma);
+      if (shares)
+        addShares(*shares, P);
+      else
+        addWeights(weights, P);
+      P_.assign(P.begin(), P.end());
+    }
+    moved_.assign(elements_.size(), 0.0F);
+    excess_.assign(elements_.size(), 0.0F);
+    negative_.assign(elements_.size(), 0.0F);
     reserve_.resize(elements_.size());
-    for (std::size_t e = 0; e < elements_.size(); ++e) reserve_[e] = -normOf(P_, e);
-    excess_.assign(elements_.size(), 0.0);
-    negative_.assign(elements_.size(), 0.0);
     spread(0);
     before_ = P_;
+    for (std::size_t e = 0; e < elements_.size(); ++e) reserve_[e] = -norms_[e];
   }
 
   /// Goes on with the present P_e at another state and sigma: what is then missing from the sum is spread.
   void moveTo(NodeVectorsView x, const NodalBound& weights, double sigma) {
-    sigma_ = sigma;
-    before_.resize(P_.size());
-    fillTangents(x, before_);
-    // The sum is made right anew, so rounding of former states is none of this one's.
-    for (std::size_t e = 0; e < elements_.size(); ++e) norms_[e] = std::max(normOf(P_, e), normOf(before_, e));
-    setTarget(before_, weights);
+    {
+      AlignedVector<double> minusA(P_.size());
+      const double unit = unit_;
+      fillTangents(x, minusA);
+      for (float& value : P_) value *= static_cast<float>(unit / unit_);
+      for (float& value : reserve_) value *= static_cast<float>(unit / unit_);
+      setTarget(minusA, weights, sigma);
+    }
     spread(0);
     before_ = P_;
     momentum_ = 1;
@@ -86,46 +102,18 @@ class Composition final : public detail::ExchangeSplit {
     decompositions_ = 0;
   }
 
-  /// One iteration; returns the bound of the iterate that it began with.
-  double iterate() {
-    const std::vector<Group> groups = groupsOf([&](std::size_t e) {
-      excess_[e] = exchangeRounding * norms_[e] + tangentRounding_[e];
-      negative_[e] = 0;
-      const bool maybeNegative = !(reserve_[e] > 0);
-      decompositions_ += maybeNegative;
-      return maybeNegative;
-    });
-    parallelFor(
-        0, groups.size(), source_.threads(),
-        [&](std::int64_t g) { removeNegativeParts(groups[g].element, groups[g].count); }, 4);
-    std::vector<double> nodal(source_.nodeCount(), 0.0);
-    double sum = 0;
-    for (std::size_t e = 0; e < elements_.size(); ++e) {
-      for (std::int32_t node : nodesOf(e)) nodal[node] += excess_[e];
-      sum += negative_[e];
-    }
-    // Nesterov's sequence, from the start again when the last step was uphill.
-    if (sum > lastSum_) momentum_ = 1;
-    lastSum_ = sum;
-    const double next = 0.5 * (1 + std::sqrt(1 + 4 * momentum_ * momentum_)), beta = (momentum_ - 1) / next;
-    momentum_ = next;
-    spread(beta);
-    double most = 0;
-    for (const double value : nodal) {
-      if (!std::isfinite(value)) return infinity;
-      most = std::max(most, value);
-    }
-    return std::isfinite(sum) ? std::max(sigma_ + most, alone_) : infinity;
-  }
-
-  /// Until the bound is at or below `accept`.
+  /// Until the bound is at or below `accept`. It is proven where that can be, and at the end.
   ExchangeBound lowerUntil(double accept, int maxIterations) {
     ExchangeBound result{{infinity}, 0, 0};
     while (result.iterations < maxIterations && !(result.upper.value <= accept)) {
-      const double value = iterate();
-      result.upper.value = std::min(result.upper.value, value);
+      const double estimate = iterate();
       ++result.iterations;
-      if (!std::isfinite(value)) break;
+      if (!std::isfinite(estimate)) {
+        result.upper.value = infinity;
+        break;
+      }
+      if (estimate <= accept || result.iterations == maxIterations)
+        result.upper.value = std::min(result.upper.value, provenBound());
     }
     result.decompositions = decompositions_;
     return result;
@@ -133,23 +121,26 @@ class Composition final : public detail::ExchangeSplit {
 
   /// The present iterate in whole numbers; no iteration can follow.
   ExchangeShares shares(NodeVectorsView x, int bits) {
-    fillTangents(x, before_);
+    AlignedVector<double> P(P_.size()), minusA(P_.size());
+    fillTangents(x, minusA);
+    const AlignedVector<double> missing = findMissing();
+    for (std::size_t e = 0; e < elements_.size(); ++e) complete(e, missing, P.data() + elements_[e].begin);
     ExchangeShares result{bits, {infinity}, 0, {}};
-    const double largest = makePositive();
+    const double largest = makePositive(P, minusA);
     if (!std::isfinite(largest) || !(largest > 0)) return result;
     // Room for what a number takes of others, and for its row's margin, so that none overflows.
-    result.unit = bits == ExchangeShares::wide ? std::exp2(1 + std::ceil(std::log2(largest))) : 1.02 * largest;
-    makeWhole(result.unitOfEntries());
+    result.unit =
+        unit_ * (bits == ExchangeShares::wide ? std::exp2(1 + std::ceil(std::log2(largest))) : 1.02 * largest);
+    makeWhole(P, result.unitOfEntries() / unit_);
     // What a node's elements have of its own block.
     double highest = 0;
-    for (std::int32_t i = 0; i < source_.nodeCount(); ++i)
-      for (std::int64_t k = pattern_.rowBegin[i]; k < pattern_.rowBegin[static_cast<std::size_t>(i) + 1]; ++k)
-        if (pattern_.column[k] == i) highest = std::max(highest, highestEigenvalue(sumOf(k)));
+    for (const std::int32_t k : diagonalOf_)
+      if (k >= 0) highest = std::max(highest, highestEigenvalue(sumOf(P, k)));
     result.upper.value = highest * result.unitOfEntries() * (1 + statedRounding);
-    for (std::size_t e = 0; e < elements_.size(); ++e)
-      for (int i = 0; i < 3 * elements_[e].nodes; ++i)
+    for (const Element& element : elements_)
+      for (int i = 0; i < 3 * element.nodes; ++i)
         for (int j = 0; j <= i; ++j)
-          result.entries.push_back(static_cast<std::int32_t>(P_[elements_[e].begin + i * 3 * elements_[e].nodes + j]));
+          result.entries.push_back(static_cast<std::int32_t>(P[element.begin + entryOf(element.nodes, j, i)]));
     return result;
   }
 
@@ -159,70 +150,187 @@ class Composition final : public detail::ExchangeSplit {
     int nodes;
     std::int64_t begin;  // of its matrix in P_
   };
-  /// A 3×3 block of an element's matrix: first entry, and entries from one column to the next.
+  /// The block of a pair of nodes in an element's matrix: first entry, and whether the pair is the other way round.
   struct Place {
-    std::int64_t first;
-    std::int32_t stride;
+    std::int64_t first : 63;
+    std::uint64_t turned : 1;
   };
+  /// Elements of one size, as many as a pack has lanes or fewer: which of `chosen_`.
   struct Group {
-    std::size_t element[lanes];
+    std::size_t begin;
     int count;
+    int nodes;
   };
-  /// The elements that are chosen, in packs of one size.
+  /// Puts the elements that are chosen into groups of at most `most`.
   template <class Choose>
-  std::vector<Group> groupsOf(const Choose& choose) const {
-    std::vector<Group> groups;
-    int open = -1;
+  void group(int most, const Choose& choose) {
+    chosen_.clear();
+    groups_.clear();
     for (std::size_t e = 0; e < elements_.size(); ++e) {
       if (!choose(e)) continue;
-      if (open < 0 || groups.back().count == lanes || open != elements_[e].nodes) {
-        groups.push_back({{}, 0});
-        open = elements_[e].nodes;
-      }
-      groups.back().element[groups.back().count++] = e;
+      if (groups_.empty() || groups_.back().count == most || groups_.back().nodes != elements_[e].nodes)
+        groups_.push_back({chosen_.size(), 0, elements_[e].nodes});
+      chosen_.push_back(e);
+      ++groups_.back().count;
     }
-    return groups;
   }
-  void removeNegativeParts(const std::size_t* elements, int count) {
-    const int size = 3 * elements_[elements[0]].nodes;
-    const std::size_t entries = size * size;
-    thread_local AlignedVector<Pack> work;
+  /// The element of a lane; empty lanes repeat the first one.
+  std::size_t elementOf(const Group& group, int lane) const {
+    return chosen_[group.begin + static_cast<std::size_t>(lane < group.count ? lane : 0)];
+  }
+  template <class Visit>
+  void forEachGroup(const Visit& visit) const {
+    parallelFor(
+        0, groups_.size(), source_.threads(), [&](std::int64_t g) { visit(groups_[static_cast<std::size_t>(g)]); }, 4);
+  }
+
+  /// Returns the bound of the iterate that it begins with, rad²/s², as far as single precision tells.
+  double iterate() {
+    group(SinglePack::width, [&](std::size_t e) {
+      excess_[e] = negative_[e] = 0;
+      return !(reserve_[e] > 0);
+    });
+    decompositions_ += static_cast<std::int64_t>(chosen_.size());
+    forEachGroup([&](const Group& group) { removeNegativeParts(group); });
+    double sum = 0;
+    for (const float negative : negative_) sum += negative;
+    // Nesterov's sequence, from the start again when the last step was uphill.
+    if (sum > lastSum_) momentum_ = 1;
+    lastSum_ = sum;
+    const double next = 0.5 * (1 + std::sqrt(1 + 4 * momentum_ * momentum_)), beta = (momentum_ - 1) / next;
+    momentum_ = next;
+    const double bound = boundOf(excess_);
+    spread(static_cast<float>(beta));
+    return std::isfinite(sum) ? bound : infinity;
+  }
+  /// sigma and what the elements of a node exceed it by, at most; infinite where that is not finite.
+  template <class Number>
+  double boundOf(const std::vector<Number>& excess) const {
+    std::vector<double> nodal(source_.nodeCount(), 0.0);
+    for (std::size_t e = 0; e < elements_.size(); ++e)
+      for (const std::int32_t node : nodesOf(e)) nodal[node] += excess[e];
+    double most = 0;
+    for (const double value : nodal) {
+      if (!std::isfinite(value)) return infinity;
+      most = std::max(most, value);
+    }
+    return std::max(unit_ * (sigma_ + most), alone_);
+  }
+  void removeNegativeParts(const Group& group) {
+    const int n = group.nodes, size = 3 * n;
+    const std::size_t entries = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
+    thread_local AlignedVector<SinglePack> work;
     work.resize(2 * entries);
-    Pack *P = work.data(), *A = P + entries, enough, step;
-    for (int lane = 0; lane < lanes; ++lane) {  // empty lanes repeat the first element
-      const std::size_t e = elements[lane < count ? lane : 0];
-      const double* from = P_.data() + elements_[e].begin;
-      for (std::size_t i = 0; i < entries; ++i) P[i].set(lane, from[i]);
-      enough.set(lane, -reserve_[e] + excess_[e]);
-      step.set(lane, moved_[e] + excess_[e]);
+    SinglePack *P = work.data(), *A = P + entries, enough, step;
+    for (int lane = 0; lane < SinglePack::width; ++lane) {
+      const std::size_t e = elementOf(group, lane);
+      const float* from = P_.data() + elements_[e].begin;
+      for (int i = 0; i < size; ++i)
+        for (int j = 0; j <= i; ++j) {
+          const float value = from[lowerEntry(n, i, j)];
+          P[i * size + j].set(lane, value);
+          P[j * size + i].set(lane, value);
+        }
+      const float margin = singleRounding * norms_[e];
+      enough.set(lane, -reserve_[e] + margin);
+      step.set(lane, moved_[e] + margin);
     }
-    const LowestPart<Pack> part = removeLowestPart(A, P, size, enough, step);
-    for (int lane = 0; lane < count; ++lane) {
-      const std::size_t e = elements[lane];
-      // A NaN must not pass for zero.
-      excess_[e] += part.least[lane] >= 0 ? 0.0 : -part.least[lane];
+    const LowestPart<SinglePack> part = removeLowestPart(A, P, size, enough, step);
+    for (int lane = 0; lane < group.count; ++lane) {
+      const std::size_t e = elementOf(group, lane);
+      // Of what is not a number the norm is none.
+      const float least = part.least[lane] > -std::numeric_limits<float>::infinity() ? part.least[lane] : -norms_[e];
+      excess_[e] = least >= 0 ? 0.0F : -least;
       negative_[e] = part.square[lane];
-      reserve_[e] = std::isfinite(part.least[lane]) ? part.least[lane] : -norms_[e];
+      reserve_[e] = least;
       if (!(part.square[lane] > 0)) continue;
-      double* to = P_.data() + elements_[e].begin;
-      for (std::size_t i = 0; i < entries; ++i) to[i] = P[i][lane];
+      float* to = P_.data() + elements_[e].begin;
+      for (int a = 0; a < n; ++a)
+        for (int b = a; b < n; ++b)
+          for (int r = 0; r < 3; ++r)
+            for (int c = 0; c < 3; ++c) *to++ = P[(3 * b + c) * size + 3 * a + r][lane];
     }
   }
+
+  /// The bound of the present iterate, rad²/s²: Theorem 12, with a factorisation of every matrix in double precision.
+  double provenBound() {
+    const AlignedVector<double> missing = findMissing();
+    std::vector<double> excess(elements_.size());
+    group(lanes, [](std::size_t) { return true; });
+    forEachGroup([&](const Group& group) {
+      const int n = group.nodes, size = 3 * n;
+      const std::size_t entries = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
+      thread_local AlignedVector<Pack> work;
+      thread_local AlignedVector<double> own;
+      work.resize(2 * entries);
+      own.resize(9 * static_cast<std::size_t>(pairsOf(n)));
+      Pack *P = work.data(), *A = P + entries, rounding, from;
+      for (int lane = 0; lane < lanes; ++lane) {
+        const std::size_t e = elementOf(group, lane);
+        complete(e, missing, own.data());
+        for (int i = 0; i < size; ++i)
+          for (int j = 0; j <= i; ++j) P[i * size + j].set(lane, own[lowerEntry(n, i, j)]);
+        rounding.set(lane, roundingOf(e, normOf(own.data(), n)));
+        from.set(lane, std::max(static_cast<double>(excess_[e]), leastShift * sigma_));
+      }
+      const Pack shift = definiteShift(from, [&](const Pack& by) {
+        for (int i = 0; i < size; ++i) {
+          for (int j = 0; j < i; ++j) A[i * size + j] = P[i * size + j];
+          A[i * size + i] = P[i * size + i] + (by - rounding);
+        }
+        return pivotsArePositive(A, size);
+      });
+      for (int lane = 0; lane < group.count; ++lane) excess[elementOf(group, lane)] = shift[lane];
+    });
+    return boundOf(excess);
+  }
+  /// What makes symmetric matrices definite, one a lane, when it is added to their diagonals: nothing, or what is found
+  /// by doubling and halving from `from`; infinite where that is not found. definite: 1 in lanes where a shift is
+  /// enough, else 0.
+  template <class Definite>
+  static Pack definiteShift(const Pack& from, const Definite& definite) {
+    Pack low(0.0), high(0.0);
+    Pack::Mask done = definite(high) > Pack(0.0);
+    for (int k = 0; k < mostDoublings && !allOf(done); ++k) {
+      const Pack next = Pack(std::ldexp(1.0, k)) * from;
+      low = select(done, low, high);
+      high = select(done, high, next);
+      done = definite(high) > Pack(0.0);
+    }
+    for (int k = 0; k < halvings; ++k) {
+      const Pack middle = Pack(0.5) * (low + high);
+      const Pack::Mask enough = definite(middle) > Pack(0.0);
+      high = select(enough, middle, high);
+      low = select(enough, low, middle);
+    }
+    return select(done, high, Pack(infinity));
+  }
+  double roundingOf(std::size_t e, double norm) const {
+    return exchangeRounding * std::max({norm, static_cast<double>(norms_[e]), tangentNorms_[e]}) + tangentRounding_[e];
+  }
+
   std::span<const std::int32_t> nodesOf(std::size_t e) const {
     return source_.tangents()[elements_[e].ref.block]->nodesOf(elements_[e].ref.element);
   }
-  Eigen::Map<Eigen::Matrix3d, 0, Eigen::OuterStride<>> at(AlignedVector<double>& values, const Place& place) const {
-    return Eigen::Map<Eigen::Matrix3d, 0, Eigen::OuterStride<>>(values.data() + place.first,
-                                                                Eigen::OuterStride<>(place.stride));
+  /// Frobenius' norm of the matrix of an element of n nodes.
+  template <class Number>
+  static double normOf(const Number* entry, int n) {
+    double square = 0;
+    for (int a = 0; a < n; ++a)
+      for (int b = a; b < n; ++b)
+        for (int i = 0; i < 9; ++i, ++entry)
+          square += (a == b ? 1.0 : 2.0) * static_cast<double>(*entry) * static_cast<double>(*entry);
+    return std::sqrt(square);
   }
-  static Place placeOf(const Element& element, int a, int b) {
-    const int size = 3 * element.nodes;
-    return {element.begin + static_cast<std::int64_t>(3 * b) * size + 3 * a, size};
-  }
+  /// Where the entry of row i and column j, i/3 <= j/3, of an element of n nodes is.
+  static int entryOf(int n, int i, int j) { return 9 * pairOf(n, i / 3, j / 3) + 3 * (i % 3) + j % 3; }
+  /// That of the lower triangle, j <= i.
+  static int lowerEntry(int n, int i, int j) { return i / 3 == j / 3 ? entryOf(n, i, j) : entryOf(n, j, i); }
 
-  /// -A_e, with their room, constrained components zero.
+  /// -A_e over the unit, which follows from them, with their room, constrained components zero.
   void fillTangents(NodeVectorsView x, AlignedVector<double>& to) {
-    tangentRounding_.resize(elements_.size());
+    tangentRounding_.assign(elements_.size(), 0.0);
+    tangentNorms_.resize(elements_.size());
     source_.forEachTangentBatch(x, [&](std::size_t b, std::int32_t batch, NativePack* K, const NativePack* ofTangent) {
       const ElementTangents& block = *source_.tangents()[b];
       const int n = block.nodesPerElement(), size = 3 * n;
@@ -235,139 +343,128 @@ class Composition final : public detail::ExchangeSplit {
         if (e < 0) continue;
         const auto nodes = block.nodesOf(e);
         double scale[3 * maxElementNodes];
-        for (int i = 0; i < size; ++i) {
-          const std::int32_t node = nodes[i / 3];
-          scale[i] = freeFactor(source_, node, i % 3) / std::sqrt(source_.lumpedMass()[node]);
-        }
+        for (int i = 0; i < size; ++i)
+          scale[i] = freeFactor(source_, nodes[i / 3], i % 3) / std::sqrt(source_.lumpedMass()[nodes[i / 3]]);
         const std::size_t element = firstOfGroup_[b] + static_cast<std::size_t>(e);
         // |Σ_ab ΔA_ab v_a v_b| <= Σ_a T_a/m_a for a unit vector.
-        tangentRounding_[element] = 0;
         for (int a = 0; a < n; ++a) tangentRounding_[element] += T[a][lane] / source_.lumpedMass()[nodes[a]];
         double* P = to.data() + elements_[element].begin;
         for (int i = 0; i < size; ++i)
-          for (int j = 0; j <= i; ++j) P[i * size + j] = P[j * size + i] = -K[i * size + j][lane] * scale[i] * scale[j];
+          for (int j = 0; j <= i; ++j) {
+            const double entry = -K[i * size + j][lane] * scale[i] * scale[j];
+            P[lowerEntry(n, i, j)] = entry;
+            if (i / 3 == j / 3) P[entryOf(n, j, i)] = entry;
+          }
+        tangentNorms_[element] = normOf(P, n);
       }
     });
+    double highest = 0;
+    for (const double norm : tangentNorms_) highest = std::max(highest, norm < infinity ? norm : 0.0);
+    // A power of two, so that numbers in single precision neither end nor err by it.
+    unit_ = highest > 0 ? std::exp2(std::floor(std::log2(highest))) : 1.0;
+    for (auto* numbers : {&tangentRounding_, &tangentNorms_})
+      for (double& number : *numbers) number /= unit_;
+    for (double& entry : to) entry /= unit_;
   }
-  /// P_e := A_e + P_e + eps_e I, of free components, which is at least A_e and at least 0. before_: -A_e. Returns the
-  /// size of its largest number.
-  double makePositive() {
+  /// P_e := A_e + P_e + eps_e I, of free components, which is at least A_e and at least 0. Returns the size of its
+  /// largest number.
+  double makePositive(AlignedVector<double>& P, const AlignedVector<double>& minusA) {
     std::vector<double> most(elements_.size());
-    const std::vector<Group> groups = groupsOf([](std::size_t) { return true; });
-    parallelFor(
-        0, groups.size(), source_.threads(),
-        [&](std::int64_t g) { makePositive(groups[g].element, groups[g].count, most); }, 4);
-    return most.empty() ? 0.0 : *std::max_element(most.begin(), most.end());
-  }
-  void makePositive(const std::size_t* elements, int count, std::vector<double>& most) {
-    const int size = 3 * elements_[elements[0]].nodes;
-    const std::size_t entries = size * size;
-    thread_local AlignedVector<Pack> work;
-    work.resize(2 * entries);
-    const auto load = [&](bool withTangent, const Pack& shift) {
-      for (int lane = 0; lane < lanes; ++lane) {  // empty lanes repeat the first element
-        const std::int64_t begin = elements_[elements[lane < count ? lane : 0]].begin;
-        const double *P = P_.data() + begin, *minusA = before_.data() + begin;
+    group(lanes, [](std::size_t) { return true; });
+    forEachGroup([&](const Group& group) {
+      const int n = group.nodes, size = 3 * n;
+      thread_local AlignedVector<Pack> work;
+      work.resize(static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
+      Pack rounding;
+      for (int lane = 0; lane < lanes; ++lane) {
+        const std::size_t e = elementOf(group, lane);
+        rounding.set(lane, roundingOf(e, normOf(P.data() + elements_[e].begin, n)));
+      }
+      const auto definite = [&](const Pack& shift, bool withTangent) {
+        for (int lane = 0; lane < lanes; ++lane) {
+          const std::int64_t begin = elements_[elementOf(group, lane)].begin;
+          for (int i = 0; i < size; ++i)
+            for (int j = 0; j <= i; ++j) {
+              const std::int64_t at = begin + lowerEntry(n, i, j);
+              work[i * size + j].set(lane, withTangent ? P[at] - minusA[at] : P[at]);
+            }
+        }
+        for (int i = 0; i < size; ++i) work[i * size + i] += shift - rounding;
+        return pivotsArePositive(work.data(), size);
+      };
+      const Pack shift = definiteShift(Pack(leastShift * sigma_), [&](const Pack& by) {
+        const Pack own = definite(by, false);
+        return own * definite(by, true);
+      });
+      for (int lane = 0; lane < group.count; ++lane) {
+        const std::size_t e = elementOf(group, lane);
+        double* own = P.data() + elements_[e].begin;
+        most[e] = 0;
         for (int i = 0; i < size; ++i)
           for (int j = 0; j <= i; ++j) {
-            const double own = 0.5 * (P[i * size + j] + P[j * size + i]);
-            work[i * size + j].set(lane, withTangent ? own - minusA[i * size + j] : own);
+            const int at = lowerEntry(n, i, j);
+            const bool free =
+                freeFactor(source_, nodesOf(e)[i / 3], i % 3) * freeFactor(source_, nodesOf(e)[j / 3], j % 3) != 0;
+            own[at] = free ? own[at] - minusA[elements_[e].begin + at] + (i == j ? shift[lane] : 0.0) : 0.0;
+            if (i / 3 == j / 3) own[entryOf(n, j, i)] = own[at];
+            // A NaN must not be lost, nor one that no shift made definite.
+            const double entry = std::abs(own[at]);
+            most[e] = std::isfinite(entry) && std::isfinite(shift[lane]) ? std::max(most[e], entry) : infinity;
           }
       }
-      for (int i = 0; i < size; ++i) work[i * size + i] += shift;
-    };
-    Pack rounding;
-    for (int lane = 0; lane < lanes; ++lane) {
-      const std::size_t e = elements[lane < count ? lane : 0];
-      rounding.set(lane, exchangeRounding * std::max(normOf(P_, e), normOf(before_, e)) + tangentRounding_[e]);
-    }
-    const auto definite = [&](const Pack& shift) {
-      load(false, shift - rounding);
-      const Pack own = pivotsArePositive(work.data(), size);
-      load(true, shift - rounding);
-      return own * pivotsArePositive(work.data(), size) > Pack(0.0);
-    };
-    Pack low(0.0), high(0.0);
-    Pack::Mask done = definite(high);
-    for (int k = 0; k < mostDoublings && !allOf(done); ++k) {
-      const Pack next(std::ldexp(leastShift * sigma_, k));
-      low = select(done, low, high);
-      high = select(done, high, next);
-      done = definite(high);
-    }
-    for (int k = 0; k < halvings; ++k) {
-      const Pack middle = Pack(0.5) * (low + high);
-      const auto enough = definite(middle);
-      high = select(enough, middle, high);
-      low = select(enough, low, middle);
-    }
-    for (int lane = 0; lane < count; ++lane) {
-      const std::size_t e = elements[lane];
-      Eigen::Map<Eigen::MatrixXd> P(P_.data() + elements_[e].begin, size, size);
-      P = (0.5 * (P + P.transpose())).eval();
-      P -= Eigen::Map<const Eigen::MatrixXd>(before_.data() + elements_[e].begin, size, size);
-      P.diagonal().array() += high[lane];
-      for (int i = 0; i < size; ++i)
-        if (freeFactor(source_, nodesOf(e)[i / 3], i % 3) == 0) {
-          P.row(i).setZero();
-          P.col(i).setZero();
-        }
-      // A NaN must not be lost, nor one that no shift made definite.
-      most[e] = std::isfinite(P.sum()) && done[lane] ? P.cwiseAbs().maxCoeff() : infinity;
-    }
+    });
+    return most.empty() ? 0.0 : *std::max_element(most.begin(), most.end());
   }
   /// Rounds to whole multiples of a unit. What the numbers of one pair of nodes lose goes to the next one, so that they
   /// still add up to zero; the sizes of what a row has moved by, added to its diagonal, make up for it.
-  void makeWhole(double unit) {
-    for (double& value : P_) value /= unit;
-    before_ = P_;
-    for (std::int32_t i = 0; i < source_.nodeCount(); ++i)
-      for (std::int64_t k = pattern_.rowBegin[i]; k < pattern_.rowBegin[static_cast<std::size_t>(i) + 1]; ++k) {
-        const bool pair = pattern_.column[k] != i;
-        Eigen::Matrix3d left = Eigen::Matrix3d::Zero();
-        for (const Place& place : placesOf(k)) {
-          auto block = at(P_, place);
-          if (pair) left += block;
-          block = (pair ? left : Eigen::Matrix3d(block)).unaryExpr([](double value) { return std::nearbyint(value); });
-          if (pair) left -= block;
-        }
-        if (pair && !placesOf(k).empty()) at(P_, placesOf(k).back()) -= sumOf(k);
+  void makeWhole(AlignedVector<double>& P, double unit) const {
+    for (double& value : P) value /= unit;
+    const AlignedVector<double> exact = P;
+    for (std::int64_t k = 0; k < pairCount(); ++k) {
+      const bool pair = target_[k].pair;
+      Eigen::Matrix3d left = Eigen::Matrix3d::Zero();
+      for (const Place& place : placesOf(k)) {
+        const Eigen::Matrix3d block = blockAt(P, place);
+        if (pair) left += block;
+        const Eigen::Matrix3d whole =
+            (pair ? left : block).unaryExpr([](double value) { return std::nearbyint(value); });
+        if (pair) left -= whole;
+        setBlock(P, place, whole);
       }
-    for (std::size_t e = 0; e < elements_.size(); ++e) {
-      const int size = 3 * elements_[e].nodes;
-      double* P = P_.data() + elements_[e].begin;
-      const double* exact = before_.data() + elements_[e].begin;
-      for (int i = 0; i < size; ++i) {
-        double moved = 0;
-        for (int j = 0; j < size; ++j) moved += std::abs(P[i * size + j] - exact[i * size + j]);
-        P[i * size + i] += std::ceil(moved);
-      }
+      if (!pair) continue;
+      const Eigen::Matrix3d last = blockAt(P, placesOf(k).back()) - sumOf(P, k);
+      setBlock(P, placesOf(k).back(), last);
+    }
+    for (const Element& element : elements_) {
+      const int n = element.nodes;
+      double moved[3 * maxElementNodes] = {};
+      for (int a = 0, at = 0; a < n; ++a)
+        for (int b = a; b < n; ++b)
+          for (int i = 0; i < 9; ++i, ++at) {
+            const double off = std::abs(P[element.begin + at] - exact[element.begin + at]);
+            moved[3 * a + i / 3] += off;
+            if (a != b) moved[3 * b + i % 3] += off;
+          }
+      for (int i = 0; i < 3 * n; ++i) P[element.begin + entryOf(n, i, i)] += std::ceil(moved[i]);
     }
   }
   static double highestEigenvalue(const Eigen::Matrix3d& S) {
     return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(S, Eigen::EigenvaluesOnly).eigenvalues()[2];
   }
-  double normOf(const AlignedVector<double>& values, std::size_t e) const {
-    const Eigen::Index size = 9 * elements_[e].nodes * elements_[e].nodes;
-    return Eigen::Map<const Eigen::VectorXd>(values.data() + elements_[e].begin, size).norm();
-  }
 
   /// What all P_e must sum up to: sigma I - A, with A from the very numbers of the elements, minusA, less what discrete
   /// forces take of it.
-  void setTarget(AlignedVector<double>& minusA, const NodalBound& weights) {
-    const std::int64_t blocks = pattern_.column.size();
-    target_.resize(blocks);
+  void setTarget(const AlignedVector<double>& minusA, const NodalBound& weights, double sigma) {
+    sigma_ = sigma / unit_;
+    for (std::int64_t k = 0; k < pairCount(); ++k) target_[k].sum = sumOf(minusA, k);
     alone_ = 0;
-    for (std::int32_t i = 0; i < source_.nodeCount(); ++i)
-      for (std::int64_t k = pattern_.rowBegin[i]; k < pattern_.rowBegin[static_cast<std::size_t>(i) + 1]; ++k) {
-        const bool diagonal = pattern_.column[k] == i;
-        target_[k] = (diagonal ? sigma_ : 0.0) * Eigen::Matrix3d::Identity() + sumOf(minusA, k);
-        if (!diagonal) continue;
-        const Eigen::Matrix3d discrete = freePart(source_, i, majorantAt(i, weights) / source_.lumpedMass()[i]);
-        target_[k] -= discrete;
-        // No P_e takes what discrete forces have at a node without elements.
-        if (placesOf(k).empty()) alone_ = std::max(alone_, highestEigenvalue(discrete) * (1 + statedRounding));
-      }
+    for (std::int32_t i = 0; i < source_.nodeCount(); ++i) {
+      const Eigen::Matrix3d discrete = freePart(source_, i, majorantAt(i, weights) / source_.lumpedMass()[i]);
+      if (diagonalOf_[i] >= 0)
+        target_[diagonalOf_[i]].sum += sigma_ * Eigen::Matrix3d::Identity() - discrete / unit_;
+      else  // no P_e takes what discrete forces have at a node without elements
+        alone_ = std::max(alone_, highestEigenvalue(discrete) * (1 + statedRounding));
+    }
   }
   Eigen::Matrix3d majorantAt(std::int32_t node, const NodalBound& weights) const {
     if (!majorants_) return weights.majorantAt(node);
@@ -375,121 +472,177 @@ class Composition final : public detail::ExchangeSplit {
     return place < 0 ? Eigen::Matrix3d(Eigen::Matrix3d::Zero()) : (*majorants_)[place];
   }
 
-  /// Which elements hold a part of each block of the assembled matrix.
-  void indexBlocks() {
-    placeBegin_.assign(pattern_.column.size() + 1, 0);
-    const auto forEachPlace = [&](const auto& visit) {
-      for (const Element& element : elements_) {
-        const auto& positions = pattern_.elementBlocks[element.ref.block];
-        const int n = element.nodes;
-        for (int a = 0; a < n; ++a)
-          for (int b = 0; b < n; ++b)
-            visit(positions[(static_cast<std::size_t>(element.ref.element) * static_cast<std::size_t>(n) +
-                             static_cast<std::size_t>(a)) *
-                                static_cast<std::size_t>(n) +
-                            static_cast<std::size_t>(b)],
-                  placeOf(element, a, b));
-      }
-    };
-    forEachPlace([&](std::size_t k, const Place&) { ++placeBegin_[k + 1]; });
-    for (std::size_t k = 1; k < placeBegin_.size(); ++k) placeBegin_[k] += placeBegin_[k - 1];
-    places_.resize(placeBegin_.back());
+  /// Which elements hold a part of each pair of nodes, in the order in which elements come to them.
+  void indexPairs(NodeVectorsView x) {
+    BlockMatrix pattern;
+    source_.assembleBlocks(x, pattern);
+    std::vector<std::int32_t> numbers(pattern.column.size(), -1);
+    diagonalOf_.assign(source_.nodeCount(), -1);
+    std::vector<std::int64_t> counts;
+    for (const Element& element : elements_) {
+      const int n = element.nodes;
+      const auto nodes = source_.tangents()[element.ref.block]->nodesOf(element.ref.element);
+      const std::int32_t* positions =
+          pattern.elementBlocks[element.ref.block].data() + static_cast<std::ptrdiff_t>(element.ref.element) * n * n;
+      for (int a = 0; a < n; ++a)
+        for (int b = a; b < n; ++b) {
+          const bool turned = nodes[a] > nodes[b];
+          std::int32_t& number = numbers[turned ? positions[b * n + a] : positions[a * n + b]];
+          if (number < 0) {
+            number = static_cast<std::int32_t>(counts.size());
+            counts.push_back(0);
+            target_.push_back({{}, a != b});
+            if (a == b) diagonalOf_[nodes[a]] = number;
+          }
+          ++counts[number];
+          pairs_.push_back({number, turned});
+        }
+    }
+    placeBegin_.assign(counts.size() + 1, 0);
+    std::partial_sum(counts.begin(), counts.end(), placeBegin_.begin() + 1);
+    places_.resize(pairs_.size());
     std::vector<std::int64_t> next(placeBegin_.begin(), placeBegin_.end() - 1);
-    forEachPlace([&](std::size_t k, const Place& place) { places_[next[k]++] = place; });
+    for (std::size_t p = 0; p < pairs_.size(); ++p)
+      places_[next[pairs_[p].number]++] = {static_cast<std::int64_t>(9 * p), pairs_[p].turned};
   }
+  std::int64_t pairCount() const { return static_cast<std::int64_t>(target_.size()); }
   std::span<const Place> placesOf(std::int64_t k) const {
     const std::int64_t begin = placeBegin_[k];
-    return {places_.data() + begin, static_cast<std::size_t>(placeBegin_[static_cast<std::size_t>(k) + 1] - begin)};
+    return {places_.data() + begin, static_cast<std::size_t>(placeBegin_[k + 1] - begin)};
   }
-  Eigen::Matrix3d sumOf(AlignedVector<double>& values, std::int64_t k) const {
+  template <class Number>
+  static Eigen::Matrix3d blockAt(const AlignedVector<Number>& values, const Place& place) {
+    const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> block =
+        Eigen::Map<const Eigen::Matrix<Number, 3, 3, Eigen::RowMajor>>(values.data() + place.first)
+            .template cast<double>();
+    return place.turned ? Eigen::Matrix3d(block.transpose()) : Eigen::Matrix3d(block);
+  }
+  static void setBlock(AlignedVector<double>& values, const Place& place, const Eigen::Matrix3d& block) {
+    Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> to(values.data() + place.first);
+    to = place.turned ? Eigen::Matrix3d(block.transpose()) : block;
+  }
+  template <class Number>
+  Eigen::Matrix3d sumOf(const AlignedVector<Number>& values, std::int64_t k) const {
     Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
-    for (const Place& place : placesOf(k)) sum += at(values, place);
+    for (const Place& place : placesOf(k)) sum += blockAt(values, place);
     return sum;
   }
-  Eigen::Matrix3d sumOf(std::int64_t k) { return sumOf(P_, k); }
 
   /// P_e += l_e D_e, the nodal bound's own split.
-  void startFrom(const NodalBound& weights) {
+  void addWeights(const NodalBound& weights, AlignedVector<double>& P) const {
     for (std::int32_t node = 0; node < source_.nodeCount(); ++node)
       for (const NodalBound::Incidence incidence : weights.incidences(node)) {
         const ElementRef ref = weights.elementAt(incidence);
         const Element& element = elements_[firstOfGroup_[ref.block] + static_cast<std::size_t>(ref.element)];
         const int a = incidence.place / lanes % element.nodes;
-        at(P_, placeOf(element, a, a)) += weights.value(ref) / source_.lumpedMass()[node] * weights.weight(incidence);
+        const Place place{element.begin + 9 * pairOf(element.nodes, a, a), false};
+        setBlock(
+            P, place,
+            blockAt(P, place) + weights.value(ref) / source_.lumpedMass()[node] / unit_ * weights.weight(incidence));
       }
   }
 
   /// P_e += G_e.
-  void startFrom(const ExchangeShares& shares) {
+  void addShares(const ExchangeShares& shares, AlignedVector<double>& P) const {
     const std::int32_t* entry = shares.entries.data();
-    const double unit = shares.unitOfEntries();
-    for (const Element& element : elements_) {
-      const int size = 3 * element.nodes;
-      double* P = P_.data() + element.begin;
-      for (int i = 0; i < size; ++i)
+    const double unit = shares.unitOfEntries() / unit_;
+    for (const Element& element : elements_)
+      for (int i = 0; i < 3 * element.nodes; ++i)
         for (int j = 0; j <= i; ++j) {
           const double value = unit * *entry++;
-          P[i * size + j] += value;
-          if (j < i) P[j * size + i] += value;
+          P[element.begin + lowerEntry(element.nodes, i, j)] += value;
+          if (j < i && i / 3 == j / 3) P[element.begin + entryOf(element.nodes, j, i)] += value;
         }
+  }
+
+  /// What is missing from the sums, evenly for each element that has a part: nine numbers a pair, row by row.
+  AlignedVector<double> findMissing() const {
+    AlignedVector<double> missing(9 * target_.size());
+    parallelFor(
+        0, pairCount(), source_.threads(),
+        [&](std::int64_t k) {
+          Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(missing.data() + 9 * k) =
+              (target_[k].sum - sumOf(P_, k)) / static_cast<double>(placesOf(k).size());
+        },
+        256);
+    return missing;
+  }
+  /// P_e with what is missing.
+  void complete(std::size_t e, const AlignedVector<double>& missing, double* to) const {
+    const std::int64_t first = elements_[e].begin;
+    for (std::int64_t p = 0; p < pairsOf(elements_[e].nodes); ++p) {
+      const Pair& pair = pairs_[first / 9 + p];
+      const double* add = missing.data() + 9 * static_cast<std::int64_t>(pair.number);
+      for (int i = 0; i < 9; ++i) *to++ = P_[first + 9 * p + i] + add[pair.turned ? 3 * (i % 3) + i / 3 : i];
     }
   }
 
   /// Spreads what is missing from the sum evenly, then goes on in the direction of the last step by beta.
-  void spread(double beta) {
-    const std::int64_t blocks = pattern_.column.size();
-    missing_.resize(blocks);
-    parallelFor(
-        0, blocks, source_.threads(),
-        [&](std::int64_t k) { missing_[k] = (target_[k] - sumOf(k)) / static_cast<double>(placesOf(k).size()); }, 256);
+  void spread(float beta) {
+    const AlignedVector<double> missing = findMissing();
+    norms_.resize(elements_.size());
     parallelFor(
         0, elements_.size(), source_.threads(),
         [&](std::int64_t index) {
           const std::size_t e = index;
-          const Element& element = elements_[e];
-          const int n = element.nodes, size = 3 * n;
-          const std::int32_t* positions = pattern_.elementBlocks[element.ref.block].data() +
-                                          static_cast<std::ptrdiff_t>(element.ref.element) * n * n;
-          double moved = 0, norm = 0;
+          const int n = elements_[e].nodes;
+          const std::int64_t first = elements_[e].begin;
+          float *P = P_.data() + first, *before = before_.empty() ? P : before_.data() + first;
+          const Pair* pair = pairs_.data() + first / 9;
+          float moved = 0, norm = 0;
           for (int a = 0; a < n; ++a)
-            for (int b = 0; b < n; ++b) {
-              const Eigen::Matrix3d& add = missing_[positions[a * n + b]];
-              for (int j = 0; j < 3; ++j)
-                for (int i = 0; i < 3; ++i) {
-                  const std::size_t entry = element.begin + (3 * b + j) * size + 3 * a + i;
-                  const double was = P_[entry], now = was + add(i, j);
-                  double value = now;
-                  if (beta > 0) value += beta * (now - before_[entry]);
-                  if (!before_.empty()) before_[entry] = now;
-                  P_[entry] = value;
-                  moved += (value - was) * (value - was);
-                  norm += value * value;
-                }
+            for (int b = a; b < n; ++b, ++pair, P += 9, before += 9) {
+              const double* from = missing.data() + 9 * static_cast<std::int64_t>(pair->number);
+              float add[9], movedHere = 0, normHere = 0;
+              for (int i = 0; i < 9; ++i) add[i] = static_cast<float>(from[i]);
+              if (pair->turned)
+                for (const auto& [i, j] : {std::pair{1, 3}, {2, 6}, {5, 7}}) std::swap(add[i], add[j]);
+              for (int i = 0; i < 9; ++i) {
+                const float was = P[i], now = was + add[i], value = now + beta * (now - before[i]);
+                before[i] = now;
+                P[i] = value;
+                movedHere += (value - was) * (value - was);
+                normHere += value * value;
+              }
+              const float times = a == b ? 1.0F : 2.0F;
+              moved += times * movedHere;
+              norm += times * normHere;
             }
           moved_[e] = std::sqrt(moved);
           reserve_[e] -= moved_[e];
-          norms_[e] = std::max(norms_[e], std::sqrt(norm));
+          norms_[e] = std::sqrt(norm);
         },
         64);
   }
 
+  struct Pair {
+    std::int32_t number : 31;
+    std::uint32_t turned : 1;
+  };
+  struct Target {
+    Eigen::Matrix3d sum;
+    bool pair;  // of two nodes
+  };
   const TangentSource& source_;
   ExchangeRoom room_;
   const std::vector<Eigen::Matrix3d>* majorants_;  // of discrete forces, by place; nullptr: the weights'
-  double sigma_;
+  double unit_ = 1;                                // of all matrices and sigma_, rad²/s²
+  double sigma_ = 0;
   double alone_ = 0;  // the bound of the nodes without elements, rad²/s²
-  BlockMatrix pattern_;
   std::vector<Element> elements_;
   std::vector<std::size_t> firstOfGroup_;  // into elements_
-  AlignedVector<double> P_, before_;       // of all elements, column by column
-  std::vector<Eigen::Matrix3d> target_, missing_;
+  AlignedVector<float> P_, before_;        // of all elements
+  std::vector<Pair> pairs_;                // of all elements' pairs
+  std::vector<Target> target_;             // by number of a pair
+  std::vector<std::int32_t> diagonalOf_;   // the pair of a node with itself; -1: no element has it
   std::vector<std::int64_t> placeBegin_;
   std::vector<Place> places_;
-  std::vector<double> reserve_;  // a lower bound of lambda_min(P_e)
-  std::vector<double> moved_;    // by the last spread, in P_e's norm
-  std::vector<double> excess_, negative_;
-  std::vector<double> norms_;            // the largest so far
-  std::vector<double> tangentRounding_;  // of A_e, in its norm
+  std::vector<std::size_t> chosen_;
+  std::vector<Group> groups_;
+  std::vector<float> reserve_;  // about a lower bound of lambda_min(P_e)
+  std::vector<float> moved_;    // by the last spread, in P_e's norm
+  std::vector<float> excess_, negative_, norms_;
+  std::vector<double> tangentRounding_, tangentNorms_;  // of A_e
   std::int64_t decompositions_ = 0;
   double momentum_ = 1, lastSum_ = infinity;
 };
@@ -521,17 +674,17 @@ ExchangeBound exchangeUpperBound(const TangentSource& source, NodeVectorsView x,
 }
 
 ExchangeBound exchangeUpperBound(const TangentSource& source, NodeVectorsView x, const NodalBound& weights,
-                                 LowerBound lower) {
+                                 LowerBound lower, double width) {
   using Policy = ExchangePolicy;
-  return exchangeUpperBound(source, x, weights, Policy::aim * lower.value, Policy::narrow * lower.value,
+  return exchangeUpperBound(source, x, weights, Policy::aim(width) * lower.value, Policy::narrow(width) * lower.value,
                             Policy::iterations);
 }
 
 ExchangeShares exchangeShares(const TangentSource& source, NodeVectorsView x, const NodalBound& weights,
                               LowerBound lower) {
   using Policy = ExchangePolicy;
-  Composition splitting(source, x, weights, Policy::aim * lower.value);
-  if (!std::isfinite(splitting.lowerUntil(Policy::narrow * lower.value, Policy::iterations).upper.value))
+  Composition splitting(source, x, weights, Policy::aim(Policy::width) * lower.value);
+  if (!std::isfinite(splitting.lowerUntil(Policy::narrow(Policy::width) * lower.value, Policy::iterations).upper.value))
     return {ExchangeShares::wide, {infinity}, 0, {}};
   return splitting.shares(x, ExchangeShares::wide);
 }
@@ -549,10 +702,9 @@ ExchangeShares roomyExchangeShares(const TangentSource& source, NodeVectorsView 
 
 std::int64_t exchangeBoundBytes(const TangentSource& source) {
   std::int64_t bytes = 0;
-  for (const ElementTangents* block : source.tangents()) {
-    const std::int64_t n = block->nodesPerElement();
-    bytes += block->elementCount() * n * n * (18 * 8 + 16 + 4);  // two matrices, places, positions
-  }
+  for (const ElementTangents* block : source.tangents())
+    bytes += static_cast<std::int64_t>(block->elementCount()) * pairsOf(block->nodesPerElement()) *
+             (9 * static_cast<std::int64_t>(sizeof(double) + sizeof(float)) + 12);  // tangents, matrices, places, pairs
   return bytes;
 }
 

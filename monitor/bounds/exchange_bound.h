@@ -38,18 +38,27 @@ ExchangeBound exchangeUpperBound(const TangentSource& source, NodeVectorsView x,
 /// Memory that it needs, bytes.
 std::int64_t exchangeBoundBytes(const TangentSource& source);
 
-/// When it is worth its cost, and what it is asked for: upper over lower eigenvalue from which it is tried, which is
-/// 1 % of the step, and that its sigma aims for, iterations, bytes.
+/// What it is asked for, by default and where nothing else is: the optimistic over the safe step, less 1, that is
+/// narrow enough; iterations; bytes.
 struct ExchangePolicy {
-  static constexpr double narrow = 1.02, aim = 1.01;
+  static constexpr double width = 0.01;
   static constexpr int iterations = 60;
   static constexpr std::int64_t mostBytes = 4LL << 30;
-  static bool worth(const TangentSource& source, UpperBound upper, LowerBound lower) {
-    return upper.value > narrow * lower.value && exchangeBoundBytes(source) <= mostBytes;
+  /// Upper over lower eigenvalue that is narrow enough, and that sigma aims for: the rest of the width is left for what
+  /// single elements exceed it by.
+  static constexpr double narrow(double width) { return (1 + width) * (1 + width); }
+  static constexpr double aim(double width) { return 1 + partOfSigma * (narrow(width) - 1); }
+  static bool worth(const TangentSource& source, UpperBound upper, LowerBound lower,
+                    double width = ExchangePolicy::width) {
+    return upper.value > narrow(width) * lower.value && exchangeBoundBytes(source) <= mostBytes;
   }
+
+ private:
+  /// Iterations to a width of 1, 3 and 5 % of bars of all elements are fewest from 0.7 to 0.9.
+  static constexpr double partOfSigma = 0.8;
 };
 ExchangeBound exchangeUpperBound(const TangentSource& source, NodeVectorsView x, const NodalBound& weights,
-                                 LowerBound lower);
+                                 LowerBound lower, double width = ExchangePolicy::width);
 
 namespace detail {
 /// The matrices P_e of a source.

@@ -378,7 +378,8 @@ UpperBound NodalBound::evaluate(NodeVectorsView x, int sweeps, Start start, doub
     const bool isEnough =
         bound <= enough.ample || (bound <= enough.value && (static_cast<double>(evaluations_) >= enough.evaluations ||
                                                             gainsNoMoreThan(enough.leastGain)));
-    if (done == sweeps || isEnough || (leastGain > 0 && gainsNoMoreThan(leastGain))) break;
+    const bool isHopeless = enough.leastOfRest > 0 && before[0] - bound < enough.leastOfRest * (bound - enough.ample);
+    if (done == sweeps || isEnough || isHopeless || (leastGain > 0 && gainsNoMoreThan(leastGain))) break;
     before[0] = before[1];
     before[1] = bound;
     sweep(x, bound);

@@ -25,9 +25,10 @@ class RestOfBody {
 };
 
 /// A nodal bound that is enough, rad²/s². Below it sweeps go on while they have taken fewer evaluations and two of them
-/// gain more than leastGain, but not below one that is ample.
+/// gain more than leastGain, but not below one that is ample; nor while two of them gain less than leastOfRest of what
+/// the bound is above that.
 struct SweepTarget {
-  double value = 0, evaluations = 0, leastGain = 0, ample = 0;
+  double value = 0, evaluations = 0, leastGain = 0, ample = 0, leastOfRest = 0;
 };
 
 /// The block nodal bound, a proven upper bound of the highest eigenvalue of M⁻¹K. For any symmetric positive definite

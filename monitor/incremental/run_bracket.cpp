@@ -265,7 +265,7 @@ double RunBracket::workOfProofs() const {
 void RunBracket::proveFromScratch(NodeVectorsView x, const StepRule& limit) {
   if (!step_ || !finite_) return;
   try {
-    best_ = criticalStep(body_, x, limit, std::nullopt, &statistics_.evaluated);
+    best_ = criticalStep(body_, x, limit, {.evaluations = &statistics_.evaluated});
     bestAt_ = x;
     bestVersion_ = body_.version();
   } catch (const NumericalError&) {

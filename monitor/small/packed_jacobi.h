@@ -1,4 +1,6 @@
 #pragma once
+#include <limits>
+
 #include <ringwatch/base/pack.h>
 
 namespace ringwatch {
@@ -31,7 +33,7 @@ RINGWATCH_HOST_DEVICE inline P diagonalize(P* A, P* VT, int anyN, double toleran
       for (int q = p + 1; q < n; ++q) {
         // t = tan of the angle, the smaller root of t² + 2 θ t - 1 = 0, θ = (a_qq - a_pp) / (2 a_pq)
         const P apq = A[p * n + q], twice = apq + apq, d = A[q * n + q] - A[p * n + p];
-        const P root = math::sqrt(d * d + twice * twice) + P(1e-300);
+        const P root = math::sqrt(d * d + twice * twice) + P(std::numeric_limits<decltype(P()[0])>::min());
         const P t = select(d < P(0.0), -twice, twice) / (math::abs(d) + root);
         const P c = P(1.0) / math::sqrt(t * t + P(1.0)), s = t * c;
         const P app = A[p * n + p] - t * apq, aqq = A[q * n + q] + t * apq;

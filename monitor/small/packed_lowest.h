@@ -80,7 +80,7 @@ RINGWATCH_HOST_DEVICE inline LowestPart<P> removeLowestPart(P* A, P* matrix, int
       }
       P square(0.0);
       for (int i = 0; i < n; ++i) square += v[i] * v[i];
-      const P scale = P(1.0) / math::sqrt(square + P(1e-300));
+      const P scale = P(1.0) / math::sqrt(square + P(std::numeric_limits<decltype(P()[0])>::min()));
       for (int i = 0; i < n; ++i) v[i] *= scale;
     }
   P T[vectors * vectors], Z[vectors * vectors];

@@ -141,5 +141,6 @@ def inspect(
     limit: float = 2.0,
     metrics: Sequence[str] = ["reduced-1-ring"],
     exact: bool = False,
+    width: float = 0.01,
 ) -> Inspection: ...
 def metric_names() -> tuple[str, ...]: ...

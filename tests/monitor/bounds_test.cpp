@@ -62,7 +62,7 @@ TEST_P(BoundsTest, TheBracketIsNarrowAtRest) {
   EXPECT_LE(step.optimistic, 1.005 * exact);
   // The probabilistic side comes apart from the proven one, and only when asked for.
   EXPECT_FALSE(step.probable);
-  const CriticalStep more = criticalStep(body, body.mesh().X, limit, LanczosOptions{0.02, 1e-8, 3});
+  const CriticalStep more = criticalStep(body, body.mesh().X, limit, {.lanczos = LanczosOptions{0.02, 1e-8, 3}});
   EXPECT_EQ(more.safe, step.safe);
   ASSERT_TRUE(more.probable);
   EXPECT_EQ(more.probable->eta, 1e-8);

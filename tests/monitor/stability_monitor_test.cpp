@@ -10,7 +10,6 @@
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/integrators/symplectic_euler.h>
 #include <ringwatch/monitor/bounds/global_frequency.h>
-#include <ringwatch/monitor/critical_step_tiers.h>
 #include <ringwatch/monitor/energy_balance.h>
 #include <ringwatch/monitor/stability_monitor.h>
 #include <tests/monitor/monitor_cases.h>
@@ -242,7 +241,7 @@ TEST(CriticalStep, TellsWhatIsProvenSoFar) {
         optimistic = nowOptimistic;
         ++told;
       };
-      const CriticalStep step = criticalStepInTiers(body, state.x, 2, std::nullopt, nullptr, listen);
+      const CriticalStep step = criticalStep(body, state.x, 2, {.listener = listen});
       EXPECT_GE(told, 2) << subdivision.name;
       EXPECT_GE(step.safe, safe) << subdivision.name << ", " << state.name;
       EXPECT_EQ(step.optimistic, optimistic) << subdivision.name << ", " << state.name;
