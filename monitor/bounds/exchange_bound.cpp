@@ -138,9 +138,7 @@ class Composition final : public detail::ExchangeSplit {
       if (k >= 0) highest = std::max(highest, highestEigenvalue(sumOf(P, k)));
     result.upper.value = highest * result.unitOfEntries() * (1 + statedRounding);
     for (const Element& element : elements_)
-      for (int i = 0; i < 3 * element.nodes; ++i)
-        for (int j = 0; j <= i; ++j)
-          result.entries.push_back(static_cast<std::int32_t>(P[element.begin + entryOf(element.nodes, j, i)]));
+      forEachLower(element, [&](std::int64_t at) { result.entries.push_back(static_cast<std::int32_t>(P[at])); });
     return result;
   }
 
@@ -224,17 +222,13 @@ class Composition final : public detail::ExchangeSplit {
     SinglePack *P = work.data(), *A = P + entries, enough, step;
     for (int lane = 0; lane < SinglePack::width; ++lane) {
       const std::size_t e = elementOf(group, lane);
-      const float* from = P_.data() + elements_[e].begin;
-      for (int i = 0; i < size; ++i)
-        for (int j = 0; j <= i; ++j) {
-          const float value = from[lowerEntry(n, i, j)];
-          P[i * size + j].set(lane, value);
-          P[j * size + i].set(lane, value);
-        }
-      const float margin = singleRounding * norms_[e];
+      loadLane(P_.data() + elements_[e].begin, n, lane, P);
+      const auto margin = static_cast<float>(singleRounding) * norms_[e];
       enough.set(lane, -reserve_[e] + margin);
       step.set(lane, moved_[e] + margin);
     }
+    for (int i = 0; i < size; ++i)
+      for (int j = 0; j < i; ++j) P[j * size + i] = P[i * size + j];
     const LowestPart<SinglePack> part = removeLowestPart(A, P, size, enough, step);
     for (int lane = 0; lane < group.count; ++lane) {
       const std::size_t e = elementOf(group, lane);
@@ -245,10 +239,7 @@ class Composition final : public detail::ExchangeSplit {
       reserve_[e] = least;
       if (!(part.square[lane] > 0)) continue;
       float* to = P_.data() + elements_[e].begin;
-      for (int a = 0; a < n; ++a)
-        for (int b = a; b < n; ++b)
-          for (int r = 0; r < 3; ++r)
-            for (int c = 0; c < 3; ++c) *to++ = P[(3 * b + c) * size + 3 * a + r][lane];
+      forEachEntry(n, [&](int i, int j) { *to++ = P[j * size + i][lane]; });
     }
   }
 
@@ -259,30 +250,31 @@ class Composition final : public detail::ExchangeSplit {
     group(lanes, [](std::size_t) { return true; });
     forEachGroup([&](const Group& group) {
       const int n = group.nodes, size = 3 * n;
-      const std::size_t entries = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
-      thread_local AlignedVector<Pack> work;
+      thread_local AlignedVector<Pack> P, A;
       thread_local AlignedVector<double> own;
-      work.resize(2 * entries);
+      for (auto* matrices : {&P, &A}) matrices->resize(static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
       own.resize(9 * static_cast<std::size_t>(pairsOf(n)));
-      Pack *P = work.data(), *A = P + entries, rounding, from;
+      Pack rounding, from;
       for (int lane = 0; lane < lanes; ++lane) {
         const std::size_t e = elementOf(group, lane);
         complete(e, missing, own.data());
-        for (int i = 0; i < size; ++i)
-          for (int j = 0; j <= i; ++j) P[i * size + j].set(lane, own[lowerEntry(n, i, j)]);
+        loadLane(own.data(), n, lane, P.data());
         rounding.set(lane, roundingOf(e, normOf(own.data(), n)));
         from.set(lane, std::max(static_cast<double>(excess_[e]), leastShift * sigma_));
       }
-      const Pack shift = definiteShift(from, [&](const Pack& by) {
-        for (int i = 0; i < size; ++i) {
-          for (int j = 0; j < i; ++j) A[i * size + j] = P[i * size + j];
-          A[i * size + i] = P[i * size + i] + (by - rounding);
-        }
-        return pivotsArePositive(A, size);
-      });
+      const Pack shift = definiteShift(from, [&](const Pack& by) { return isDefinite(P, by - rounding, size, A); });
       for (int lane = 0; lane < group.count; ++lane) excess[elementOf(group, lane)] = shift[lane];
     });
     return boundOf(excess);
+  }
+  /// Whether matrices, of which the lower triangles are given, are definite with a shift: 1 where they are, else 0. A:
+  /// of their size, used up.
+  static Pack isDefinite(const AlignedVector<Pack>& P, const Pack& shift, int size, AlignedVector<Pack>& A) {
+    for (int i = 0; i < size; ++i) {
+      for (int j = 0; j < i; ++j) A[i * size + j] = P[i * size + j];
+      A[i * size + i] = P[i * size + i] + shift;
+    }
+    return pivotsArePositive(A.data(), size);
   }
   /// What makes symmetric matrices definite, one a lane, when it is added to their diagonals: nothing, or what is found
   /// by doubling and halving from `from`; infinite where that is not found. definite: 1 in lanes where a shift is
@@ -322,10 +314,19 @@ class Composition final : public detail::ExchangeSplit {
           square += (a == b ? 1.0 : 2.0) * static_cast<double>(*entry) * static_cast<double>(*entry);
     return std::sqrt(square);
   }
-  /// Where the entry of row i and column j, i/3 <= j/3, of an element of n nodes is.
-  static int entryOf(int n, int i, int j) { return 9 * pairOf(n, i / 3, j / 3) + 3 * (i % 3) + j % 3; }
-  /// That of the lower triangle, j <= i.
-  static int lowerEntry(int n, int i, int j) { return i / 3 == j / 3 ? entryOf(n, i, j) : entryOf(n, j, i); }
+  /// Calls visit(row, column) for every entry in the order in which they are kept.
+  template <class Visit>
+  static void forEachEntry(int n, Visit&& visit) {
+    for (int a = 0; a < n; ++a)
+      for (int b = a; b < n; ++b)
+        for (int r = 0; r < 3; ++r)
+          for (int c = 0; c < 3; ++c) visit(3 * a + r, 3 * b + c);
+  }
+  /// The lower triangle of a matrix as a lane of packs, row by row.
+  template <class Number, class Packs>
+  static void loadLane(const Number* entry, int n, int lane, Packs* to) {
+    forEachEntry(n, [&](int i, int j) { to[j * 3 * n + i].set(lane, *entry++); });
+  }
 
   /// -A_e over the unit, which follows from them, with their room, constrained components zero.
   void fillTangents(NodeVectorsView x, AlignedVector<double>& to) {
@@ -349,12 +350,9 @@ class Composition final : public detail::ExchangeSplit {
         // |Σ_ab ΔA_ab v_a v_b| <= Σ_a T_a/m_a for a unit vector.
         for (int a = 0; a < n; ++a) tangentRounding_[element] += T[a][lane] / source_.lumpedMass()[nodes[a]];
         double* P = to.data() + elements_[element].begin;
-        for (int i = 0; i < size; ++i)
-          for (int j = 0; j <= i; ++j) {
-            const double entry = -K[i * size + j][lane] * scale[i] * scale[j];
-            P[lowerEntry(n, i, j)] = entry;
-            if (i / 3 == j / 3) P[entryOf(n, j, i)] = entry;
-          }
+        forEachEntry(n, [&, entry = P](int i, int j) mutable {
+          *entry++ = -K[std::max(i, j) * size + std::min(i, j)][lane] * scale[i] * scale[j];
+        });
         tangentNorms_[element] = normOf(P, n);
       }
     });
@@ -373,44 +371,33 @@ class Composition final : public detail::ExchangeSplit {
     group(lanes, [](std::size_t) { return true; });
     forEachGroup([&](const Group& group) {
       const int n = group.nodes, size = 3 * n;
-      thread_local AlignedVector<Pack> work;
-      work.resize(static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
+      thread_local AlignedVector<Pack> own, with, A;
+      for (auto* matrices : {&own, &with, &A})
+        matrices->resize(static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
       Pack rounding;
       for (int lane = 0; lane < lanes; ++lane) {
         const std::size_t e = elementOf(group, lane);
+        loadLane(P.data() + elements_[e].begin, n, lane, own.data());
+        loadLane(minusA.data() + elements_[e].begin, n, lane, with.data());
         rounding.set(lane, roundingOf(e, normOf(P.data() + elements_[e].begin, n)));
       }
-      const auto definite = [&](const Pack& shift, bool withTangent) {
-        for (int lane = 0; lane < lanes; ++lane) {
-          const std::int64_t begin = elements_[elementOf(group, lane)].begin;
-          for (int i = 0; i < size; ++i)
-            for (int j = 0; j <= i; ++j) {
-              const std::int64_t at = begin + lowerEntry(n, i, j);
-              work[i * size + j].set(lane, withTangent ? P[at] - minusA[at] : P[at]);
-            }
-        }
-        for (int i = 0; i < size; ++i) work[i * size + i] += shift - rounding;
-        return pivotsArePositive(work.data(), size);
-      };
+      for (std::size_t i = 0; i < own.size(); ++i) with[i] = own[i] - with[i];
       const Pack shift = definiteShift(Pack(leastShift * sigma_), [&](const Pack& by) {
-        const Pack own = definite(by, false);
-        return own * definite(by, true);
+        const Pack first = isDefinite(own, by - rounding, size, A);
+        return first * isDefinite(with, by - rounding, size, A);
       });
       for (int lane = 0; lane < group.count; ++lane) {
         const std::size_t e = elementOf(group, lane);
-        double* own = P.data() + elements_[e].begin;
+        const auto nodes = nodesOf(e);
         most[e] = 0;
-        for (int i = 0; i < size; ++i)
-          for (int j = 0; j <= i; ++j) {
-            const int at = lowerEntry(n, i, j);
-            const bool free =
-                freeFactor(source_, nodesOf(e)[i / 3], i % 3) * freeFactor(source_, nodesOf(e)[j / 3], j % 3) != 0;
-            own[at] = free ? own[at] - minusA[elements_[e].begin + at] + (i == j ? shift[lane] : 0.0) : 0.0;
-            if (i / 3 == j / 3) own[entryOf(n, j, i)] = own[at];
-            // A NaN must not be lost, nor one that no shift made definite.
-            const double entry = std::abs(own[at]);
-            most[e] = std::isfinite(entry) && std::isfinite(shift[lane]) ? std::max(most[e], entry) : infinity;
-          }
+        forEachEntry(n, [&, entry = P.data() + elements_[e].begin](int i, int j) mutable {
+          const bool free = freeFactor(source_, nodes[i / 3], i % 3) * freeFactor(source_, nodes[j / 3], j % 3) != 0;
+          const double value = with[std::max(i, j) * size + std::min(i, j)][lane] + (i == j ? shift[lane] : 0.0);
+          *entry = free ? value : 0.0;
+          // A NaN must not be lost, nor one that no shift made definite.
+          most[e] = std::isfinite(value) && std::isfinite(shift[lane]) ? std::max(most[e], std::abs(*entry)) : infinity;
+          ++entry;
+        });
       }
     });
     return most.empty() ? 0.0 : *std::max_element(most.begin(), most.end());
@@ -438,14 +425,15 @@ class Composition final : public detail::ExchangeSplit {
     for (const Element& element : elements_) {
       const int n = element.nodes;
       double moved[3 * maxElementNodes] = {};
-      for (int a = 0, at = 0; a < n; ++a)
-        for (int b = a; b < n; ++b)
-          for (int i = 0; i < 9; ++i, ++at) {
-            const double off = std::abs(P[element.begin + at] - exact[element.begin + at]);
-            moved[3 * a + i / 3] += off;
-            if (a != b) moved[3 * b + i % 3] += off;
-          }
-      for (int i = 0; i < 3 * n; ++i) P[element.begin + entryOf(n, i, i)] += std::ceil(moved[i]);
+      std::int64_t at = element.begin;
+      forEachEntry(n, [&](int i, int j) {
+        const double off = std::abs(P[at] - exact[at]);
+        moved[i] += off;
+        if (i / 3 != j / 3) moved[j] += off;
+        ++at;
+      });
+      at = element.begin;
+      forEachEntry(n, [&](int i, int j) { P[at++] += i == j ? std::ceil(moved[i]) : 0.0; });
     }
   }
   static double highestEigenvalue(const Eigen::Matrix3d& S) {
@@ -546,13 +534,20 @@ class Composition final : public detail::ExchangeSplit {
   void addShares(const ExchangeShares& shares, AlignedVector<double>& P) const {
     const std::int32_t* entry = shares.entries.data();
     const double unit = shares.unitOfEntries() / unit_;
+    for (const Element& element : elements_) forEachLower(element, [&](std::int64_t at) { P[at] += unit * *entry++; });
+    // Both entries of a node's own block.
     for (const Element& element : elements_)
-      for (int i = 0; i < 3 * element.nodes; ++i)
-        for (int j = 0; j <= i; ++j) {
-          const double value = unit * *entry++;
-          P[element.begin + lowerEntry(element.nodes, i, j)] += value;
-          if (j < i && i / 3 == j / 3) P[element.begin + entryOf(element.nodes, j, i)] += value;
+      for (int a = 0; a < element.nodes; ++a)
+        for (const auto& [lower, upper] : {std::pair{3, 1}, {6, 2}, {7, 5}}) {
+          double* block = P.data() + element.begin + 9 * pairOf(element.nodes, a, a);
+          block[lower] = block[upper];
         }
+  }
+  /// Calls visit(place) for the lower triangle of an element's matrix, row by row.
+  template <class Visit>
+  static void forEachLower(const Element& element, const Visit& visit) {
+    for (int i = 0; i < 3 * element.nodes; ++i)
+      for (int j = 0; j <= i; ++j) visit(element.begin + 9 * pairOf(element.nodes, j / 3, i / 3) + 3 * (j % 3) + i % 3);
   }
 
   /// What is missing from the sums, evenly for each element that has a part: nine numbers a pair, row by row.

@@ -296,7 +296,7 @@ class WorkAccount {
   static constexpr double forcesOfTests = 0.08, evaluationsOfMotion = 2;
   static constexpr double unitsOfRing = 12000, unitsOfEigenvectors = 1.2, unitsOfRegion = 1000;
   static constexpr double evaluationsOfDecomposition = 2.8, evaluationsOfFactorisation = 2.8;
-  static constexpr double evaluationsOfShares = 26, evaluationsOfIteration = 4.7;
+  static constexpr double evaluationsOfShares = 22, evaluationsOfIteration = 2;
   static constexpr double unitsOfMove = 1.6, unitsOfNode = 0.25, unitsOfContactNode = 0.3;
   static constexpr double evaluationsOfNewWeights = 1.7, evaluationsOfDistribution = 0.6, evaluationsOfAllRings = 1.6;
   // What is kept at most of each income: of rebuilds, of all rings for the lower side, of refreshes for the proof, of

@@ -251,6 +251,7 @@ TEST_F(Program, InspectRefusesBadInput) {
   expectRefused(std::string("inspect cube.msh --step 0") + material,
                 "--step: \"0\" is no time; must be a number > 0 or a fraction");
   expectRefused(std::string("inspect cube.msh --step nan") + material, "--step");
+  expectRefused(std::string("inspect cube.msh --width -0.1") + material, "--width: -0.1 is out of range");
   expectRefused(std::string("inspect cube.msh --lanczos 1") + material, "--lanczos: 1 is out of range");
   expectRefused(std::string("inspect cube.msh --lanczos 1e-300") + material, "eta = 1e-300");
   expectRefused(std::string("inspect cube.msh --fix 'x > 5'") + material, "selects no node");

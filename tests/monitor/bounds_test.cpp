@@ -2,6 +2,7 @@
 // every way to cut a box; then what rotations and changes of scale must do to them.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
+#include <limits>
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/infinity.h>
@@ -105,6 +106,27 @@ TEST(Bounds, HoldWithDensitiesAndStiffnessesFarApart) {
     }
   }
   EXPECT_GT(mixed, 0);
+}
+
+// Whatever width is asked for: the bracket holds, is no wider than that, and takes no more than a narrower one.
+TEST(Bounds, AreAsNarrowAsIsAskedFor) {
+  for (const Subdivision& subdivision : test::allSubdivisions())
+    for (const double jitter : {0.0, 0.2}) {
+      const Body body = test::boxBody(subdivision, "stvk", {4, 3, 3}, jitter);
+      const double exact = stepFor(DenseTangent(body, body.mesh().X).largest(), limit);
+      std::int64_t before = std::numeric_limits<std::int64_t>::max();
+      for (const double width : {0.01, 0.05, 0.3}) {
+        std::int64_t evaluations = 0;
+        const CriticalStep step =
+            criticalStep(body, body.mesh().X, limit, {.width = width, .evaluations = &evaluations});
+        EXPECT_LE(step.safe, exact * (1 + 1e-9)) << subdivision.name << ", " << width;
+        EXPECT_GE(step.optimistic, exact * (1 - 1e-9)) << subdivision.name << ", " << width;
+        EXPECT_LE(step.optimistic, (1 + width) * step.safe)
+            << subdivision.name << ", jitter " << jitter << ", " << width;
+        EXPECT_LE(evaluations, before) << subdivision.name << ", jitter " << jitter << ", " << width;
+        before = evaluations;
+      }
+    }
 }
 
 TEST(Bounds, NothingFree) {
