@@ -317,9 +317,7 @@ class DeckReader : DeckWriter {
         note(fmt::format("{}: *ELEMENT, TYPE={} is {} with {}: {}", lines_.where(keyword_.position), type,
                          solid->element, solid->rule, solid->why));
       const auto [known, isNew] = rules_.try_emplace(std::string(solid->element), solid->rule);
-      if (!isNew && known->second != solid->rule)
-        refuse(keyword_.position, fmt::format("*ELEMENT, TYPE={}: a {} above has another quadrature; one is for all",
-                                              type, solid->element));
+      byType_ = byType_ || known->second != solid->rule;
     }
   }
 
@@ -1084,8 +1082,13 @@ class DeckReader : DeckWriter {
         }
         if (scaledFor_ > 0 && material.density && mesh().elementSets.contains(set))
           addWaves(entry, "*MATERIAL", material.position);
-        list.push_back(std::move(entry));
-        origins.push_back(lines_.where(material.position));
+        for (const auto& [part, rules] : setsByRules(set)) {
+          entry["set"] = part;
+          entry["rules"] = Json::array();
+          for (const auto& [element, rule] : rules) entry["rules"].push_back(element + "=" + rule);
+          list.push_back(entry);
+          origins.push_back(lines_.where(material.position));
+        }
       }
     }
     for (const DeckScaling& scaling : scalings_)
@@ -1094,7 +1097,18 @@ class DeckReader : DeckWriter {
                       fmt::format("*FIXED MASS SCALING: {} is the set of no *SOLID SECTION", inQuotes(scaling.elset)));
     if (list.empty())
       lines_.failAt(sections_.front().position, "*SOLID SECTION: there is no *INSTANCE of the part that it is in");
-    writeMaterialList(std::move(list), origins, rules_);
+    writeMaterialList(std::move(list), origins);
+  }
+  /// Sets that a set of elements is of, each with one rule for an element.
+  std::map<std::string, ElementRules> setsByRules(const std::string& set) {
+    std::map<std::string, ElementRules> found;
+    const std::string prefix = set + std::string(detail::setOfType);
+    if (byType_)
+      for (const auto& [name, elements] : mesh().elementSets)
+        if (const DeckSolid* solid = name.starts_with(prefix) ? findDeckSolid(name.substr(prefix.size())) : nullptr)
+          found[name].emplace(solid->element, solid->rule);
+    if (found.empty()) found[set] = rules_;
+    return found;
   }
 
   /// Of the elements of a section, by its set in the mesh: what was given last.

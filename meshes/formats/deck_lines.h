@@ -15,6 +15,9 @@ namespace ringwatch::detail {
 /// Whose decks: of Abaqus and CalculiX, or of LS-DYNA.
 enum class DeckDialect { abaqus, dyna };
 
+/// What stands between the name of a set and the type of its elements that a set of theirs is of, "ALL, TYPE=C3D8R".
+inline constexpr std::string_view setOfType = ", TYPE=";
+
 /// A line of a deck.
 struct DeckLine {
   std::string_view text;  // trimmed, not empty; of LS-DYNA trimmed at the end alone, and a line of blanks is one

@@ -1,4 +1,5 @@
 // Decks as Abaqus/Explicit's preprocessors write them: each is the same body and the same step as a scene of its mesh.
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -102,6 +103,28 @@ TEST_F(ExplicitDecks, TakeOnePointHexahedraAndBulkViscosity) {
   folder_.write("deck.inp", part("C3D8RH") + steel() + step("*Bulk Viscosity\n0., 0.\n"));
   const Json plain = parse(call("inspect deck.inp --json - --global").out);
   EXPECT_LT(without["critical_step"]["safe"].get<double>(), 0.97 * plain["critical_step"]["safe"].get<double>());
+}
+
+// Types of one shape in one section, and in a section each.
+TEST_F(ExplicitDecks, TakeHexahedraOfTwoQuadratures) {
+  const std::string both = "*Solid Section, elset=All, material=Steel\n,\n",
+                    each =
+                        "*Solid Section, elset=Second, material=Steel\n,\n*Solid Section, elset=First, "
+                        "material=Steel\n,\n";
+  const auto scene = [](const std::string& first, const std::string& second) {
+    const std::string law = std::string(stvk).substr(std::string(stvk).find('\n'));
+    return "[[material]]\nset = \"First\"\nrules = [\"hex8=" + first + "\"]" + law +
+           "[[material]]\nset = \"Second\"\nrules = [\"hex8=" + second + "\"]" + law + fixed +
+           "[[force]]\nset = \"#9\"\neach = [0, 1e4, 0]\n";
+  };
+  for (const auto& [types, first, second] :
+       {std::array{"C3D8R", "uniform-strain", "gauss-2x2x2"}, std::array{"c3d8", "gauss-2x2x2", "uniform-strain"}})
+    for (const std::string& sections : {both, each}) {
+      std::string deck = part(types, sections);
+      const std::string other = std::string(types) == "c3d8" ? "C3D8RH" : "C3D8";
+      deck.insert(deck.find("2, 2, 9"), "*Element, type=" + other + "\n");
+      expectSame(deck + steel() + step("*Cload\nBar-1.9, 2, 1e4\n"), scene(first, second));
+    }
 }
 
 TEST_F(ExplicitDecks, SayWhatStandsForHybridAndModifiedElements) {
