@@ -18,6 +18,7 @@
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/input_file.h>
 #include <ringwatch/base/user_text.h>
+#include <ringwatch/meshes/formats/mesh_readers.h>
 
 namespace ringwatch {
 namespace {
@@ -773,14 +774,22 @@ class DeckReader : DeckWriter {
     return !word.empty() && std::isdigit(static_cast<unsigned char>(word.front()));
   }
   /// What is left of "INSTANCE.SET" or "INSTANCE.12" in a deck of one instance, whose sets and numbers are those of its
-  /// part; else the word. Several instances have the same numbers.
-  std::string inInstance(std::string_view word, std::size_t position) const {
+  /// part; else the word, or the number that the mesh has. Several instances have the same numbers.
+  std::string inInstance(std::string_view word, std::size_t position) {
     std::string_view rest = word;
+    std::string of;
     for (const auto& entry : instances_)
-      if (inUpperCase(word).starts_with(inUpperCase(entry.first) + ".")) rest = word.substr(entry.first.size() + 1);
-    if (isNumber(rest) && instances_.size() > 1)
-      lines_.failAt(position, fmt::format("{}: a number in a deck of several instances; give a set", inQuotes(word)));
-    return std::string(instances_.size() == 1 ? rest : word);
+      if (inUpperCase(word).starts_with(inUpperCase(entry.first) + ".")) {
+        of = inUpperCase(entry.first);
+        rest = word.substr(of.size() + 1);
+      }
+    if (instances_.size() == 1) return std::string(rest);
+    if (!isNumber(rest) || instances_.empty()) return std::string(word);
+    if (of.empty())
+      lines_.failAt(position, fmt::format("{}: a number in a deck of several instances; give a set, or {}.{}",
+                                          inQuotes(word), instances_.begin()->first, word));
+    if (!offsets_) offsets_ = detail::instanceOffsets(file_, text_);
+    return fmt::format("{}", offsets_->at(of) + lines_.number(rest, "a number", position));
   }
   /// Sets are named in any case.
   template <class Sets>
@@ -1448,7 +1457,9 @@ class DeckReader : DeckWriter {
   std::string instance_;                                        // likewise, as written
   std::vector<std::pair<std::string, std::string>> instances_;  // name, part
   std::map<std::string, std::string> nodeSets_, elementSets_;   // in upper case, PART/SET in a part -> as written
-  std::map<std::string, std::string> rules_;                    // element -> quadrature rule
+  std::optional<std::map<std::string, std::int64_t>> offsets_;  // of the numbers of instances
+  ElementRules rules_;                                          // of the types in the deck
+  bool byType_ = false;                                         // an element has two of them
   std::vector<DeckMaterial> materials_;
   std::vector<DeckSection> sections_;
   std::vector<DeckStructure> structures_;

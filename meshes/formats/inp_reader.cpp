@@ -81,6 +81,12 @@ class Deck {
     if (notes != nullptr) addNotes(*notes);
     return mesh;
   }
+  /// What is added to the numbers of each instance, by its name in upper case.
+  std::map<std::string, std::int64_t> offsets() const {
+    std::map<std::string, std::int64_t> all;
+    for (const auto& [name, instance] : instances_) all[name] = instance.offset;
+    return all;
+  }
 
  private:
   struct Node {
@@ -926,6 +932,12 @@ class Deck {
 // Abaqus Analysis User's Guide, "Elements: overview"; CalculiX CrunchiX user's manual, "Element types".
 Mesh readInp(const std::filesystem::path& path, const std::string& text, Notes* notes, Problems* problems) {
   return Deck(path, text).read(notes, problems);
+}
+
+std::map<std::string, std::int64_t> instanceOffsets(const std::filesystem::path& path, const std::string& text) {
+  Deck deck(path, text);
+  (void)deck.read(nullptr, nullptr);
+  return deck.offsets();
 }
 
 }  // namespace ringwatch::detail

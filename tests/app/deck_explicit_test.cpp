@@ -212,8 +212,14 @@ TEST_F(ExplicitDecks, TakeNamesWithAnInstanceAndWithout) {
 
   std::string two = part("C3D8");
   two.replace(two.find("*Nset, nset=Fix"), 0, "*Instance, name=Bar-2, part=Bar\n1., 0., 0.\n*End Instance\n");
-  refuse(two + steel() + step("*Cload\nBar-2.12, 1, 1.\n"),
-         "\"Bar-2.12\": a number in a deck of several instances; give a set");
+  expectSame(two + steel() + step("*Cload\nbar-2.12, 1, 1.\nBar-1.12, 2, 2.\n*Dload\nBAR-2.2, P4, 1000.\n"),
+             std::string(stvk) +
+                 "[[fix]]\nset = \"Fix\"\n[[force]]\nwhere = \"x > 1.19 and y > 0.09 and z > 0.09\"\neach "
+                 "= [1, 0, 0]\n[[force]]\nwhere = \"x > 0.19 and x < 0.21 and y > 0.09 and z > 0.09\"\neach = [0, 2, "
+                 "0]\n[[pressure]]\nwhere = \"x > 1.19\"\npressure = 1000\n");
+  refuse(two + steel() + step("*Cload\n12, 1, 1.\n"),
+         "\"12\": a number in a deck of several instances; give a set, or Bar-1.12");
+  refuse(two + steel() + step("*Cload\nBar-2.13, 1, 1.\n"), "the mesh has no node 113");
 }
 
 // A free body has the velocity h a Σ f(n/100), n = 0 … 99, which is 49.5 h a, since f(s) + f(1 - s) = 1.
