@@ -96,7 +96,7 @@ class DeckLines {
   };
   bool isNoLine(std::string_view line) const;
   std::string_view takeLine(std::string_view text, std::size_t& at) const;
-  void include(const std::string& name, std::string_view keyword, std::size_t position);
+  void include(std::string name, std::string_view keyword, std::size_t position);
   std::optional<DeckLine> nextOfDyna();
   void open(const std::filesystem::path& path, const std::string* text);
   std::optional<DeckLine> nextOfFiles();
