@@ -18,6 +18,7 @@
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/input_file.h>
 #include <ringwatch/base/user_text.h>
+#include <ringwatch/body/body.h>
 #include <ringwatch/meshes/formats/mesh_readers.h>
 
 namespace ringwatch {
