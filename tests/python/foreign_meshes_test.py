@@ -330,6 +330,8 @@ def test_a_program_that_is_ended_leaves_nothing(tmp_path: pathlib.Path) -> None:
     ("m.vtu", "version https://git-lfs.github.com/spec/v1\noid sha256:0\n", "a pointer of Git LFS"),
     ("m.mesh", "MeshVersionFormatted 2\nDimension 3\nVertices\n3\n0 0 0 0\n1 0 0 0\n0 1 0 0\nTriangles\n1\n1 2 3 0\nEnd\n",
      "there are no volume elements, only 1 of surfaces"),
+    ("m.mesh", "MeshVersionFormatted 2\nDimension 3\nVertices\n3\n0 0 0 0\n1 0 0 0\n0 1 0 0\nTetrahedra\n1\n1 2 3 0 0\nEnd\n",
+     "it has a tetra with node 0; there are 3 nodes"),
     ("m.mesh", "MeshVersionFormatted 2\nWhat\n", "a Medit mesh; meshio cannot read it: Expected `Vertices`"),
     ("m.bdf", "BEGIN BULK\nGRID,1,7,0.,0.,0.\nGRID,2,7,1.,0.,0.\nGRID,3,7,0.,1.,0.\nGRID,4,7,0.,0.,1.\nCTETRA,1,1,1,2,3,4\nENDDATA\n",
      "line 2: GRID has coordinate system 7; only the basic one is read"),
@@ -564,6 +566,14 @@ def test_tags_of_dolfinx_are_sets(tmp_path: pathlib.Path) -> None:
     (tmp_path / "two.xdmf").write_text(text.replace("</Domain>", grid("Triangle", tetrahedra[3:4, :3], [9], "<Geometry/>") + "</Domain>"))
     result = call("mesh", "check", tmp_path / "two.xdmf")
     assert result.returncode == 2 and "several grids with points of their own" in result.stderr, result
+
+
+def test_the_time_of_a_grid_of_xdmf_is_passed_over(tmp_path: pathlib.Path) -> None:
+    points, cells = a_mesh("tet4")
+    meshio.write(tmp_path / "m.xdmf", meshio.Mesh(points, cells))
+    text = (tmp_path / "m.xdmf").read_text()
+    (tmp_path / "timed.xdmf").write_text(text.replace("</Grid>", '<Time Value="0.5"/></Grid>'))
+    assert np.array_equal(rw.load_mesh(tmp_path / "timed.xdmf").points, points)
 
 
 @pytest.mark.parametrize("version", [4.0, 4.1])
