@@ -196,7 +196,7 @@ NodeVectors plainDampingForce(const Setup& s, const DampingConstants& damping) {
 /// A body with damping, where the setup has one without.
 Setup damped(const Case& c, const DampingConstants& damping) {
   Setup& plain = setupOf(c);
-  std::map<std::string, std::string> rules;
+  ElementRules rules;
   if (!c.rule.empty()) rules[c.element] = c.rule;
   Setup s{Body(plain.body.mesh(), makeMaterial(c.law, 30e3, 0.3, 1000), {rules, Lumping::rowSum, c.threads}),
           plain.x,

@@ -56,9 +56,10 @@ Body::Body(Mesh mesh, const std::vector<Material>& materialOfBlock, const BodyOp
     throw InputError(
         joinText(materials_.size(), " materials for ", mesh_.blocks.size(), " blocks: give one, or one a block"));
   for (std::size_t b = 0; b < mesh_.blocks.size(); ++b) {
-    const auto rule = options_.rules.find(std::string(elementInfo(mesh_.blocks[b].type).name));
-    blocks_.push_back(makeElementBlock(mesh_, mesh_.blocks[b], materials_[b],
-                                       rule == options_.rules.end() ? "" : rule->second, options_.hourglassControl));
+    const ElementRules& rules = options_.rulesOfBlock.empty() ? options_.rules : options_.rulesOfBlock.at(b);
+    const auto rule = rules.find(elementInfo(mesh_.blocks[b].type).name);
+    blocks_.push_back(makeElementBlock(mesh_, mesh_.blocks[b], materials_[b], rule == rules.end() ? "" : rule->second,
+                                       options_.hourglassControl));
   }
   setElements(tangentsOfBlocks(), lumpMass());
 }

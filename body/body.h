@@ -29,11 +29,15 @@ inline constexpr auto lumpingNames = nameTable<Lumping>({
     {Lumping::diagonalScaling, "diagonal-scaling", "diagonal of the consistent mass, scaled"},
 });
 
+/// Element name -> quadrature rule name; the default rule where absent.
+using ElementRules = std::map<std::string, std::string, std::less<>>;
+
 struct BodyOptions {
-  std::map<std::string, std::string> rules;  // element name -> quadrature rule name; the default rule where absent
+  ElementRules rules;
   Lumping lumping = Lumping::rowSum;
-  int threads = 0;                         // 0: all that OpenMP offers
-  HourglassControl hourglassControl = {};  // of rules of uniform strain
+  int threads = 0;                              // 0: all that OpenMP offers
+  HourglassControl hourglassControl = {};       // of rules of uniform strain
+  std::vector<ElementRules> rulesOfBlock = {};  // instead of `rules`: empty, or one a block
 };
 
 /// Lumped mass that an element gives to its nodes, kg: mass[n].

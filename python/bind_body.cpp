@@ -35,7 +35,7 @@ Material materialOf(const std::string& model, py::handle density, const py::kwar
 }
 
 std::shared_ptr<HeldBody> bodyOf(const HeldMesh& mesh, const py::object& material, const std::string& lumping,
-                                 const std::map<std::string, std::string>& rules, int threads) {
+                                 const ElementRules& rules, int threads) {
   BodyOptions options;
   options.lumping = lumpingNames.valueOf("lumping", lumping);
   options.rules = rules;
@@ -192,7 +192,7 @@ void bindBody(py::module_& module) {
       "body\n"
       "at once. Raises InputError; NumericalError for an element without volume or mass.",
       "", py::arg("mesh"), py::arg("material"), py::kw_only(), py::arg("lumping") = "row-sum",
-      py::arg("rules") = std::map<std::string, std::string>(), py::arg("threads") = 0);
+      py::arg("rules") = ElementRules(), py::arg("threads") = 0);
   body.def("__repr__",
            [](const HeldBody& self) {
              return joinText("<Body: ", meshText(self.body.mesh()), ", ", self.body.totalMass(), " kg>");

@@ -159,9 +159,9 @@ class MeshInParts final : public InspectedParts {
         material = makeMaterial(chosen.model, chosen.parameters, chosen.density);
         for (std::size_t b = 0; b < part.mesh.blocks.size(); ++b) {
           const MeshBlock& block = part.mesh.blocks[b];
-          const auto rule = scene.rules.find(std::string(elementInfo(block.type).name));
+          const auto rule = chosen.rules.find(elementInfo(block.type).name);
           blocks.push_back(makeElementBlock(
-              part.mesh, block, *material, rule == scene.rules.end() ? "" : rule->second, scene.hourglassControl,
+              part.mesh, block, *material, rule == chosen.rules.end() ? "" : rule->second, scene.hourglassControl,
               layOutPart(part.mesh.nodeCount(), block.nodesPerElement(), block.connectivity, part.places[b])));
           part.places[b] = {};
         }

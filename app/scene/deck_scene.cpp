@@ -18,6 +18,8 @@
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/input_file.h>
 #include <ringwatch/base/user_text.h>
+#include <ringwatch/body/body.h>
+#include <ringwatch/meshes/formats/mesh_readers.h>
 
 namespace ringwatch {
 namespace {
@@ -317,9 +319,7 @@ class DeckReader : DeckWriter {
         note(fmt::format("{}: *ELEMENT, TYPE={} is {} with {}: {}", lines_.where(keyword_.position), type,
                          solid->element, solid->rule, solid->why));
       const auto [known, isNew] = rules_.try_emplace(std::string(solid->element), solid->rule);
-      if (!isNew && known->second != solid->rule)
-        refuse(keyword_.position, fmt::format("*ELEMENT, TYPE={}: a {} above has another quadrature; one is for all",
-                                              type, solid->element));
+      byType_ = byType_ || known->second != solid->rule;
     }
   }
 
@@ -775,14 +775,22 @@ class DeckReader : DeckWriter {
     return !word.empty() && std::isdigit(static_cast<unsigned char>(word.front()));
   }
   /// What is left of "INSTANCE.SET" or "INSTANCE.12" in a deck of one instance, whose sets and numbers are those of its
-  /// part; else the word. Several instances have the same numbers.
-  std::string inInstance(std::string_view word, std::size_t position) const {
+  /// part; else the word, or the number that the mesh has. Several instances have the same numbers.
+  std::string inInstance(std::string_view word, std::size_t position) {
     std::string_view rest = word;
+    std::string of;
     for (const auto& entry : instances_)
-      if (inUpperCase(word).starts_with(inUpperCase(entry.first) + ".")) rest = word.substr(entry.first.size() + 1);
-    if (isNumber(rest) && instances_.size() > 1)
-      lines_.failAt(position, fmt::format("{}: a number in a deck of several instances; give a set", inQuotes(word)));
-    return std::string(instances_.size() == 1 ? rest : word);
+      if (inUpperCase(word).starts_with(inUpperCase(entry.first) + ".")) {
+        of = inUpperCase(entry.first);
+        rest = word.substr(of.size() + 1);
+      }
+    if (instances_.size() == 1) return std::string(rest);
+    if (!isNumber(rest) || instances_.empty()) return std::string(word);
+    if (of.empty())
+      lines_.failAt(position, fmt::format("{}: a number in a deck of several instances; give a set, or {}.{}",
+                                          inQuotes(word), instances_.begin()->first, word));
+    if (!offsets_) offsets_ = detail::instanceOffsets(file_, text_);
+    return fmt::format("{}", offsets_->at(of) + lines_.number(rest, "a number", position));
   }
   /// Sets are named in any case.
   template <class Sets>
@@ -1084,8 +1092,13 @@ class DeckReader : DeckWriter {
         }
         if (scaledFor_ > 0 && material.density && mesh().elementSets.contains(set))
           addWaves(entry, "*MATERIAL", material.position);
-        list.push_back(std::move(entry));
-        origins.push_back(lines_.where(material.position));
+        for (const auto& [part, rules] : setsByRules(set)) {
+          entry["set"] = part;
+          entry["rules"] = Json::array();
+          for (const auto& [element, rule] : rules) entry["rules"].push_back(element + "=" + rule);
+          list.push_back(entry);
+          origins.push_back(lines_.where(material.position));
+        }
       }
     }
     for (const DeckScaling& scaling : scalings_)
@@ -1094,7 +1107,18 @@ class DeckReader : DeckWriter {
                       fmt::format("*FIXED MASS SCALING: {} is the set of no *SOLID SECTION", inQuotes(scaling.elset)));
     if (list.empty())
       lines_.failAt(sections_.front().position, "*SOLID SECTION: there is no *INSTANCE of the part that it is in");
-    writeMaterialList(std::move(list), origins, rules_);
+    writeMaterialList(std::move(list), origins);
+  }
+  /// Sets that a set of elements is of, each with one rule for an element.
+  std::map<std::string, ElementRules> setsByRules(const std::string& set) {
+    std::map<std::string, ElementRules> found;
+    const std::string prefix = set + std::string(detail::setOfType);
+    if (byType_)
+      for (const auto& [name, elements] : mesh().elementSets)
+        if (const DeckSolid* solid = name.starts_with(prefix) ? findDeckSolid(name.substr(prefix.size())) : nullptr)
+          found[name].emplace(solid->element, solid->rule);
+    if (found.empty()) found[set] = rules_;
+    return found;
   }
 
   /// Of the elements of a section, by its set in the mesh: what was given last.
@@ -1434,7 +1458,9 @@ class DeckReader : DeckWriter {
   std::string instance_;                                        // likewise, as written
   std::vector<std::pair<std::string, std::string>> instances_;  // name, part
   std::map<std::string, std::string> nodeSets_, elementSets_;   // in upper case, PART/SET in a part -> as written
-  std::map<std::string, std::string> rules_;                    // element -> quadrature rule
+  std::optional<std::map<std::string, std::int64_t>> offsets_;  // of the numbers of instances
+  ElementRules rules_;                                          // of the types in the deck
+  bool byType_ = false;                                         // an element has two of them
   std::vector<DeckMaterial> materials_;
   std::vector<DeckSection> sections_;
   std::vector<DeckStructure> structures_;

@@ -141,13 +141,7 @@ void DeckWriter::addEntry(const std::string& section, const std::string& selecti
   list.push_back(std::move(entry));
 }
 
-void DeckWriter::writeMaterialList(Json list, const std::vector<std::string>& origins,
-                                   const std::map<std::string, std::string>& rules) {
-  if (!rules.empty()) {
-    Json named = Json::array();
-    for (const auto& [element, rule] : rules) named.push_back(element + "=" + rule);
-    list.front()["rules"] = std::move(named);
-  }
+void DeckWriter::writeMaterialList(Json list, const std::vector<std::string>& origins) {
   if (list.size() == 1) {
     scene_.sections["material"] = list.front();
     scene_.origins["material"] = origins.front();

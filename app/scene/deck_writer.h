@@ -91,8 +91,7 @@ class DeckWriter {
   void keepApart(const std::string& section) { last_.erase(section); }
   static Json listOf(const Eigen::Vector3d& v) { return Json{v[0], v[1], v[2]}; }
   /// Of the materials of the parts of the body, at least one, with where each stands.
-  void writeMaterialList(Json list, const std::vector<std::string>& origins,
-                         const std::map<std::string, std::string>& rules);
+  void writeMaterialList(Json list, const std::vector<std::string>& origins);
   void writeBoundaries();
   /// Contact by penalty of the nodes of each side with the faces of the other, "#3,7" each; of all surfaces without.
   void addContact(const Json& entry, const std::string& nodes, const std::string& faces, bool nodesHaveFaces,

@@ -77,7 +77,7 @@ constexpr std::string_view modified =
     "step differs";
 constexpr std::string_view turning = "its nodes turn, and ours do not";
 constexpr std::string_view fluid = "it is of fluids and moving meshes";
-/// One quadrature is for all elements of a kind. Sorted by the formulation (Keyword User's Manual, "*SECTION_SOLID").
+/// Sorted by the formulation (Keyword User's Manual, "*SECTION_SOLID").
 constexpr DynaSolid dynaSolidRows[] = {
     {-2, "hex8", "selective", byStrain},
     {-2, "wedge6", "selective", collapsed},

@@ -1000,7 +1000,6 @@ class DynaReader : DeckWriter {
   void writeMaterials() {
     Json list = Json::array();
     std::vector<std::string> origins;
-    std::map<std::string, std::string> rules;
     constexpr std::string_view prefix = "part-";
     std::set<std::int64_t> solid;  // by number, so that the order is that of the numbers
     for (const auto& [set, elements] : mesh().elementSets)
@@ -1031,11 +1030,7 @@ class DynaReader : DeckWriter {
           kinds.insert(elementInfo(mesh().blocks[element.block].type).name);
         for (const std::string_view kind : kinds) {
           const std::string rule = ruleOf(part, kind);
-          const auto [known, isNew] = rules.try_emplace(std::string(kind), rule);
-          if (!isNew && known->second != rule)
-            lines_.failAt(part.position, fmt::format("*PART: its {} have another quadrature, {}, than those of a part "
-                                                     "above, {}; one is for all here",
-                                                     kind, rule, known->second));
+          entry["rules"].push_back(fmt::format("{}={}", kind, rule));
           if (rule == "uniform-strain") hourglassOf(part, entry);
         }
         if (const auto damping = stiffnessDamping_.find(id); damping != stiffnessDamping_.end())
@@ -1048,7 +1043,7 @@ class DynaReader : DeckWriter {
       list.push_back(std::move(entry));
       origins.push_back(lines_.where(material.position));
     }
-    writeMaterialList(std::move(list), origins, rules);
+    writeMaterialList(std::move(list), origins);
     for (const auto& [id, damping] : stiffnessDamping_) {
       requirePart(id, damping.position);
       if (rigidParts_.contains(id) || !solid.contains(id))

@@ -201,14 +201,8 @@ Scene::Fix parseFix(const std::string& text, const std::string& origin) {
   return {NodeSelection::parse(text.substr(0, colon), origin), *held};
 }
 
-bool Scene::hasUniformStrain() const {
-  return std::any_of(rules.begin(), rules.end(), [](const auto& rule) {
-    return findRule(*findElementByName(rule.first), rule.second)->uniformStrain;
-  });
-}
-
-std::map<std::string, std::string> parseRules(const std::vector<std::string>& texts, const std::string& origin) {
-  std::map<std::string, std::string> rules;
+ElementRules parseRules(const std::vector<std::string>& texts, const std::string& origin) {
+  ElementRules rules;
   for (const std::string& text : texts) {
     const std::size_t equals = text.find('=');
     const std::string name = text.substr(0, equals);

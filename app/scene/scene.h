@@ -238,8 +238,7 @@ struct Scene {
 
   std::vector<SceneMaterial> materials;  // at least one
   Lumping lumping = Lumping::rowSum;
-  std::map<std::string, std::string> rules;  // element name -> quadrature rule name
-  HourglassControl hourglassControl;         // of rules of uniform strain
+  HourglassControl hourglassControl;  // of rules of uniform strain
 
   std::string method;
   std::optional<double> step;  // s; empty for "auto"
@@ -299,7 +298,7 @@ struct Scene {
            std::any_of(materials.begin(), materials.end(), [](const auto& one) { return one.damping.any(); });
   }
   /// Whether some element has a rule of uniform strain.
-  bool hasUniformStrain() const;
+  bool hasUniformStrain() const { return std::ranges::any_of(materials, &SceneMaterial::hasUniformStrain); }
   /// Whether a [[fix]] or [[move]] takes a rigid body and leaves it some freedom, so that its nodes are tied.
   template <class Section>
   static bool guides(const Section& section) {
@@ -342,7 +341,7 @@ Scene sceneOfEcho(const std::filesystem::path& file, const nlohmann::ordered_jso
 Scene sceneOfRun(const std::filesystem::path& folder);
 /// `hex8=RULE` and so on as element name -> quadrature rule name. Throws InputError "origin: …" for another form, an
 /// unknown element or an unknown rule.
-std::map<std::string, std::string> parseRules(const std::vector<std::string>& texts, const std::string& origin);
+ElementRules parseRules(const std::vector<std::string>& texts, const std::string& origin);
 /// Which of x, y, z a text such as "xy" names; nothing unless it names some, each once.
 std::optional<std::array<bool, 3>> parseComponents(std::string_view text);
 /// A condition or `set:NAME`, and behind a colon the components that are held, e.g. "x < 1e-6:x" for a roller; all of

@@ -204,11 +204,12 @@ std::vector<Eigen::Vector3d> nodalForces(const Scene::Force& force, const std::v
 Body sceneBody(const Scene& scene, Mesh mesh, int threads, MaterialsBy by) {
   BodyOptions options;
   options.lumping = scene.lumping;
-  options.rules = scene.rules;
   options.hourglassControl = scene.hourglassControl;
   options.threads = threadsThatPay(threads, mesh);
   std::vector<Material> materials = assignMaterials(scene.materials, mesh, by);
   splitRigidBlocks(scene, mesh, materials);
+  for (const SceneMaterial* material : blockMaterials(scene.materials, mesh))
+    options.rulesOfBlock.push_back(material->rules);
   std::optional<Body> body;
   try {
     body.emplace(std::move(mesh), materials, options);

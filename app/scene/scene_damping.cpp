@@ -14,10 +14,10 @@ namespace ringwatch {
 
 void addElementDamping(const Scene& scene, Body& body) {
   if (!scene.hasElementDamping()) return;
-  const std::vector<int> materials = materialOfBlocks(body.mesh());
+  const auto materials = blockMaterials(scene.materials, body.mesh());
   std::vector<DampingConstants> constants;
   for (std::size_t b = 0; b < body.blocks().size(); ++b) {
-    DampingConstants own = scene.materials[materials.empty() ? 0 : static_cast<std::size_t>(materials[b])].damping;
+    DampingConstants own = materials[b]->damping;
     if (dynamic_cast<const RigidBlock*>(body.blocks()[b].get())) {  // it has no strain rates
       constants.push_back({.massProportional = own.massProportional});
       continue;

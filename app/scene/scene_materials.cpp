@@ -153,6 +153,11 @@ std::vector<std::size_t> splitMeshBlocks(Mesh& mesh, const ElementNumbers& numbe
   return splitBlocks(mesh, numbers, count).before;
 }
 
+bool SceneMaterial::hasUniformStrain() const {
+  return std::ranges::any_of(
+      rules, [](const auto& rule) { return findRule(*findElementByName(rule.first), rule.second)->uniformStrain; });
+}
+
 std::string SceneMaterial::selection() const {
   if (!set.empty()) return "set:" + set;
   return where ? where->text() : "all";
@@ -225,6 +230,14 @@ std::vector<int> materialOfBlocks(const Mesh& mesh) {
   for (std::size_t b = 0; b < numbers.size(); ++b)
     if (numbers[b] == none && mesh.blocks[b].elementCount() > 0) return {};
   return numbers;
+}
+
+std::vector<const SceneMaterial*> blockMaterials(const std::vector<SceneMaterial>& materials, const Mesh& mesh) {
+  const std::vector<int> numbers = materialOfBlocks(mesh);
+  std::vector<const SceneMaterial*> ofBlocks(mesh.blocks.size(), &materials.front());
+  for (std::size_t b = 0; b < numbers.size(); ++b)
+    if (numbers[b] != none) ofBlocks[b] = &materials[numbers[b]];
+  return ofBlocks;
 }
 
 }  // namespace ringwatch

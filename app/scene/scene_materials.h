@@ -6,7 +6,7 @@
 
 #include <ringwatch/app/scene/where_expression.h>
 #include <ringwatch/base/options.h>
-#include <ringwatch/body/element_damping.h>
+#include <ringwatch/body/body.h>
 #include <ringwatch/materials/registry.h>
 #include <ringwatch/meshes/mesh.h>
 
@@ -18,11 +18,14 @@ struct SceneMaterial {
   Options parameters;                    // of the law
   double density = 0;                    // kg/m³
   DampingConstants damping;              // without bulk viscosity
+  ElementRules rules;                    // of its elements
   std::optional<WhereExpression> where;  // holds at the centre of the element's nodes at rest
   std::string set;                       // or a named element set of the mesh; both empty: all elements
   std::string origin;                    // "scene.toml:12: [[material]]", for messages
   std::string selectionOrigin;           // "scene.toml:13: material.where"
 
+  /// Whether elements of some kind have a rule of uniform strain.
+  bool hasUniformStrain() const;
   bool ofAllElements() const { return !where && set.empty(); }
   /// The condition or the set as the scene has it; "all" without.
   std::string selection() const;
@@ -52,6 +55,9 @@ std::vector<Material> assignMaterials(const std::vector<SceneMaterial>& material
 /// without either. Throws InputError "origin: …" for an unknown set and for a selection without elements.
 std::vector<ElementRef> selectedElements(const Mesh& mesh, const std::optional<WhereExpression>& where,
                                          const std::string& set, const std::string& origin);
+
+/// The material of each block after assignMaterials.
+std::vector<const SceneMaterial*> blockMaterials(const std::vector<SceneMaterial>& materials, const Mesh& mesh);
 
 /// Which material the blocks of a mesh have after assignMaterials, counted from 0, and -1 without elements; empty where
 /// there is but one.

@@ -82,8 +82,15 @@ void checkMaterial(const SceneTable& table, Scene& scene, SceneMaterial& materia
   }
 }
 
-/// Takes what [material] says of the whole body: any of several may say it, all the same.
+/// Takes what [material] says of the whole body: any of several may say it, all the same. Rules of one that gives none
+/// are those of the first that does.
 void takeBodyWide(std::span<const SceneTable> tables, Scene& scene) {
+  const auto givesRules = [](const SceneTable& table) { return table.given("rules"); };
+  const auto usual = std::ranges::find_if(tables, givesRules);
+  for (std::size_t i = 0; usual != tables.end() && i < tables.size(); ++i) {
+    const SceneTable& own = givesRules(tables[i]) ? tables[i] : *usual;
+    scene.materials[i].rules = parseRules(own.get<std::vector<std::string>>("rules"), own.where("rules"));
+  }
   const auto take = [&](const char* name, const auto& store) {
     const SceneTable* first = nullptr;
     for (const SceneTable& table : tables) {
@@ -96,16 +103,13 @@ void takeBodyWide(std::span<const SceneTable> tables, Scene& scene) {
     }
   };
   take("lumping", [&](const SceneTable& table) { scene.lumping = table.named("lumping", lumpingNames); });
-  take("rules", [&](const SceneTable& table) {
-    scene.rules = parseRules(table.get<std::vector<std::string>>("rules"), table.where("rules"));
-  });
   take("hourglass_stiffness",
        [&](const SceneTable& table) { scene.hourglassControl.stiffness = table.get<double>("hourglass_stiffness"); });
-  if (scene.hasUniformStrain()) return;
-  for (const SceneTable& table : tables)
-    for (const char* name : {"hourglass_stiffness", "hourglass_viscosity"})
-      if (table.given(name))
-        fail(table.at(name).origin, joinText("material.", name),
+  for (std::size_t i = 0; i < tables.size(); ++i)
+    for (const auto& [name, goes] : {std::pair("hourglass_stiffness", scene.hasUniformStrain()),
+                                     {"hourglass_viscosity", scene.materials[i].hasUniformStrain()}})
+      if (tables[i].given(name) && !goes)
+        fail(tables[i].at(name).origin, joinText("material.", name),
              "goes with a rule of uniform strain; set rules = [\"hex8=uniform-strain\"] too");
 }
 
@@ -181,8 +185,9 @@ SceneSection materialSection() {
                    {.key = "rules",
                     .type = SceneType::texts,
                     .features = {F::uniformStrain},
-                    .help = "quadrature rules of elements, of the whole body, e.g. [\"hex8=gauss-2x2x2\"]; `ringwatch "
-                            "verify elements` compares them"}})},
+                    .help = "quadrature rules of elements, e.g. [\"hex8=gauss-2x2x2\"]; of several materials one "
+                            "without has those "
+                            "of the first that gives some; `ringwatch verify elements` compares them"}})},
       checkMaterial, takeBodyWide);
 }
 

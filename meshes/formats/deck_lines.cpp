@@ -176,7 +176,8 @@ void DeckLines::include(const DeckKeyword& keyword) {
   include(name, keyword.name, keyword.position);
 }
 
-void DeckLines::include(const std::string& name, std::string_view keyword, std::size_t position) {
+void DeckLines::include(std::string name, std::string_view keyword, std::size_t position) {
+  std::ranges::replace(name, '\\', '/');  // of decks that Windows wrote
   const auto refuse = [&](const std::string& what) { failAt(position, joinText("*", keyword, " ", what)); };
   std::filesystem::path path = folder_ / name;  // an absolute name stays as it is
   std::error_code error;

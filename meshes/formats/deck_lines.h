@@ -15,6 +15,9 @@ namespace ringwatch::detail {
 /// Whose decks: of Abaqus and CalculiX, or of LS-DYNA.
 enum class DeckDialect { abaqus, dyna };
 
+/// What stands between the name of a set and the type of its elements that a set of theirs is of, "ALL, TYPE=C3D8R".
+inline constexpr std::string_view setOfType = ", TYPE=";
+
 /// A line of a deck.
 struct DeckLine {
   std::string_view text;  // trimmed, not empty; of LS-DYNA trimmed at the end alone, and a line of blanks is one
@@ -93,7 +96,7 @@ class DeckLines {
   };
   bool isNoLine(std::string_view line) const;
   std::string_view takeLine(std::string_view text, std::size_t& at) const;
-  void include(const std::string& name, std::string_view keyword, std::size_t position);
+  void include(std::string name, std::string_view keyword, std::size_t position);
   std::optional<DeckLine> nextOfDyna();
   void open(const std::filesystem::path& path, const std::string* text);
   std::optional<DeckLine> nextOfFiles();

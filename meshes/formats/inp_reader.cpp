@@ -81,6 +81,12 @@ class Deck {
     if (notes != nullptr) addNotes(*notes);
     return mesh;
   }
+  /// What is added to the numbers of each instance, by its name in upper case.
+  std::map<std::string, std::int64_t> offsets() const {
+    std::map<std::string, std::int64_t> all;
+    for (const auto& [name, instance] : instances_) all[name] = instance.offset;
+    return all;
+  }
 
  private:
   struct Node {
@@ -90,6 +96,7 @@ class Deck {
   };
   struct Element {
     const FileElement* type;
+    const std::string* formulation;  // TYPE=, in upper case
     std::int64_t id;
     std::vector<std::int64_t> nodes;
     std::vector<std::uint32_t> sets;  // numbers of the element sets, in the order of their map
@@ -178,11 +185,13 @@ class Deck {
       reading_ = Reading::nodes;
     } else if (name == "ELEMENT") {
       if (keyword_.value("TYPE").empty()) refuse("needs TYPE=, for instance TYPE=C3D8");
-      type_ = elementOfDeck(inUpperCase(keyword_.value("TYPE")));
-      if (type_ == nullptr) ++skipped_["*ELEMENT, TYPE=" + inUpperCase(keyword_.value("TYPE"))];
+      const std::string type = inUpperCase(keyword_.value("TYPE"));
+      type_ = elementOfDeck(type);
+      formulation_ = &*formulations_.insert(type).first;
+      if (type_ == nullptr) ++skipped_["*ELEMENT, TYPE=" + type];
       reading_ = type_ == nullptr ? Reading::shapeless : Reading::elements;
       continued_ = false;
-      skipFormulation(inUpperCase(keyword_.value("TYPE")));
+      skipFormulation(type);
     } else if (name == "NSET" || name == "ELSET") {
       if (!keyword_.has(name)) refuse("needs the name of the set, " + name + "=");
       reading_ = name == "NSET" ? Reading::nodeSet : Reading::elementSet;
@@ -570,8 +579,12 @@ class Deck {
     std::size_t next = 0;
     if (!unfinished_) {
       unfinished_ = true;
-      elements.push_back(
-          {type_, lines_.number(words[0], "the number of an element", line.position), {}, {}, line.position});
+      elements.push_back({type_,
+                          formulation_,
+                          lines_.number(words[0], "the number of an element", line.position),
+                          {},
+                          {},
+                          line.position});
       next = 1;
     }
     Element& element = elements.back();
@@ -828,14 +841,23 @@ class Deck {
         if (own.empty() || own.back() != number) own.push_back(number);
       });
     }
-    std::map<std::vector<std::uint32_t>, int> groups;
+    // Where solids of one shape are of several types, each set is also had by them.
+    std::map<const FileElement*, const std::string*> firstType;
+    const bool byType = std::ranges::any_of(elements, [&](const Element& element) {
+      return element.type->dimension == 3 &&
+             firstType.try_emplace(element.type, element.formulation).first->second != element.formulation;
+    });
+    std::map<std::pair<std::vector<std::uint32_t>, const std::string*>, int> groups;
     for (const Element& element : elements) {
       int group = -1;
       if (!element.sets.empty()) {
-        const auto [entry, isNew] = groups.try_emplace(element.sets, 0);
+        const auto [entry, isNew] = groups.try_emplace({element.sets, byType ? element.formulation : nullptr}, 0);
         if (isNew) {
           std::vector<std::string> own;
-          for (const std::uint32_t number : element.sets) own.push_back(*names[number]);
+          for (const std::uint32_t number : element.sets) {
+            own.push_back(*names[number]);
+            if (byType) own.push_back(joinText(*names[number], setOfType, *element.formulation));
+          }
           entry->second = builder_.addGroup(std::move(own));
         }
         group = entry->second;
@@ -882,6 +904,8 @@ class Deck {
   DeckKeyword keyword_{};
   Reading reading_ = Reading::nothing;
   const FileElement* type_ = nullptr;
+  std::set<std::string> formulations_;
+  const std::string* formulation_ = nullptr;     // of type_, in that set
   bool unfinished_ = false, continued_ = false;  // an element goes on in the next line
   bool hasData_ = false;                         // lines of data since the last keyword
   struct Open {
@@ -908,6 +932,12 @@ class Deck {
 // Abaqus Analysis User's Guide, "Elements: overview"; CalculiX CrunchiX user's manual, "Element types".
 Mesh readInp(const std::filesystem::path& path, const std::string& text, Notes* notes, Problems* problems) {
   return Deck(path, text).read(notes, problems);
+}
+
+std::map<std::string, std::int64_t> instanceOffsets(const std::filesystem::path& path, const std::string& text) {
+  Deck deck(path, text);
+  (void)deck.read(nullptr, nullptr);
+  return deck.offsets();
 }
 
 }  // namespace ringwatch::detail

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,6 +17,8 @@ using Problems = std::vector<MeshProblem>;
 
 Mesh readMsh(const std::filesystem::path& path, const std::string& text, Notes* notes, Problems* problems);
 Mesh readInp(const std::filesystem::path& path, const std::string& text, Notes* notes, Problems* problems);
+/// What is added to the numbers of each instance of an .inp deck, by its name in upper case.
+std::map<std::string, std::int64_t> instanceOffsets(const std::filesystem::path& path, const std::string& text);
 Mesh readDyna(const std::filesystem::path& path, const std::string& text, Notes* notes, Problems* problems);
 /// How the note of a deck begins, behind its name, that lists the keywords that are not of the mesh.
 inline constexpr std::string_view deckSkippedNote = ": skipped, only nodes, elements and their sets are read: ";

@@ -384,7 +384,7 @@ def names_of_netgen(path):
 
 
 def grids_of_xdmf(path, folder):
-    """Files of one grid each, which meshio takes: the mesh, and tags of its cells and facets on the same points, as dolfinx writes them.
+    """Files of one grid each without times, which meshio takes: the mesh, and tags of its cells and facets on the same points, as dolfinx writes them.
     What meshio passes over is refused."""
     from xml.etree import ElementTree
 
@@ -400,7 +400,7 @@ def grids_of_xdmf(path, folder):
     domain = tree.find("Domain")
     grids = [] if domain is None else domain.findall("Grid")
     uniform = [grid for grid in grids if grid.get("GridType", "Uniform") == "Uniform" and grid.find("Topology") is not None]
-    if len(grids) < 2 or not uniform or uniform[0].find("Geometry") is None:
+    if not uniform or uniform[0].find("Geometry") is None:
         return [path]
     if any(grid.find("Geometry") is not None for grid in uniform[1:]):
         raise Fault("it has several grids with points of their own; one mesh is read")
@@ -490,7 +490,8 @@ def convert(path, kind, folder):
             raise Fault(f"it has {len(data)} elements of type {name}, which are not supported")
     for name, data in cells:
         if data.size and (data.min() < 0 or data.max() >= len(points)):
-            raise Fault(f"it has a {name} with node {data.max() + 1}; there are {len(points)} nodes")
+            bad = data.min() if data.min() < 0 else data.max()
+            raise Fault(f"it has a {name} with node {bad + 1}; there are {len(points)} nodes")
     # meshio writes names into the XML as they are.
     point_data = {f"set:{escape(name, QUOTE)}": flags for name, flags in groups.of_nodes.items()}
     cell_data = {f"set:{escape(name, QUOTE)}": flags for name, flags in groups.of_cells.items()}

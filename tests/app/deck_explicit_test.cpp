@@ -1,4 +1,5 @@
 // Decks as Abaqus/Explicit's preprocessors write them: each is the same body and the same step as a scene of its mesh.
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -104,6 +105,28 @@ TEST_F(ExplicitDecks, TakeOnePointHexahedraAndBulkViscosity) {
   EXPECT_LT(without["critical_step"]["safe"].get<double>(), 0.97 * plain["critical_step"]["safe"].get<double>());
 }
 
+// Types of one shape in one section, and in a section each.
+TEST_F(ExplicitDecks, TakeHexahedraOfTwoQuadratures) {
+  const std::string both = "*Solid Section, elset=All, material=Steel\n,\n",
+                    each =
+                        "*Solid Section, elset=Second, material=Steel\n,\n*Solid Section, elset=First, "
+                        "material=Steel\n,\n";
+  const auto scene = [](const std::string& first, const std::string& second) {
+    const std::string law = std::string(stvk).substr(std::string(stvk).find('\n'));
+    return "[[material]]\nset = \"First\"\nrules = [\"hex8=" + first + "\"]" + law +
+           "[[material]]\nset = \"Second\"\nrules = [\"hex8=" + second + "\"]" + law + fixed +
+           "[[force]]\nset = \"#9\"\neach = [0, 1e4, 0]\n";
+  };
+  for (const auto& [types, first, second] :
+       {std::array{"C3D8R", "uniform-strain", "gauss-2x2x2"}, std::array{"c3d8", "gauss-2x2x2", "uniform-strain"}})
+    for (const std::string& sections : {both, each}) {
+      std::string deck = part(types, sections);
+      const std::string other = std::string(types) == "c3d8" ? "C3D8RH" : "C3D8";
+      deck.insert(deck.find("2, 2, 9"), "*Element, type=" + other + "\n");
+      expectSame(deck + steel() + step("*Cload\nBar-1.9, 2, 1e4\n"), scene(first, second));
+    }
+}
+
 TEST_F(ExplicitDecks, SayWhatStandsForHybridAndModifiedElements) {
   expectSame(part("C3D8H") + steel() + step(""), std::string(stvk) + "rules = [\"hex8=selective\"]\n" + fixed);
   EXPECT_THAT(out_, HasSubstr("*ELEMENT, TYPE=C3D8H is hex8 with selective: its one pressure"));
@@ -189,8 +212,14 @@ TEST_F(ExplicitDecks, TakeNamesWithAnInstanceAndWithout) {
 
   std::string two = part("C3D8");
   two.replace(two.find("*Nset, nset=Fix"), 0, "*Instance, name=Bar-2, part=Bar\n1., 0., 0.\n*End Instance\n");
-  refuse(two + steel() + step("*Cload\nBar-2.12, 1, 1.\n"),
-         "\"Bar-2.12\": a number in a deck of several instances; give a set");
+  expectSame(two + steel() + step("*Cload\nbar-2.12, 1, 1.\nBar-1.12, 2, 2.\n*Dload\nBAR-2.2, P4, 1000.\n"),
+             std::string(stvk) +
+                 "[[fix]]\nset = \"Fix\"\n[[force]]\nwhere = \"x > 1.19 and y > 0.09 and z > 0.09\"\neach "
+                 "= [1, 0, 0]\n[[force]]\nwhere = \"x > 0.19 and x < 0.21 and y > 0.09 and z > 0.09\"\neach = [0, 2, "
+                 "0]\n[[pressure]]\nwhere = \"x > 1.19\"\npressure = 1000\n");
+  refuse(two + steel() + step("*Cload\n12, 1, 1.\n"),
+         "\"12\": a number in a deck of several instances; give a set, or Bar-1.12");
+  refuse(two + steel() + step("*Cload\nBar-2.13, 1, 1.\n"), "the mesh has no node 113");
 }
 
 // A free body has the velocity h a Σ f(n/100), n = 0 … 99, which is 49.5 h a, since f(s) + f(1 - s) = 1.

@@ -7,10 +7,13 @@
 #include <sstream>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <ringwatch/app/scene/deck_keywords.h>
+#include <ringwatch/app/scene/scene.h>
 #include <ringwatch/meshes/formats/file_cursor.h>
 
+#include <tests/monitor/monitor_cases.h>
 #include "program.h"
 
 namespace ringwatch::test {
@@ -18,8 +21,8 @@ namespace ringwatch::test {
 /// Decks, and the scenes that they stand for.
 class DeckProgram : public Program {
  protected:
-  /// Runs a deck and the scene that it stands for, of its mesh or of another one: masses, brackets and energies are the
-  /// same.
+  /// Runs a deck and the scene that it stands for, of its mesh or of another one: masses, frequencies at rest, brackets
+  /// and energies are the same.
   void expectSame(const std::string& name, const std::string& deck, const std::string& scene,
                   const std::string& integrator, const std::string& mesh = "") {
     use(name, deck);
@@ -34,6 +37,7 @@ class DeckProgram : public Program {
     const Json one = json("d/summary.json"), other = json("s/summary.json");
     EXPECT_NEAR(one["mass"].get<double>() / other["mass"].get<double>(), 1, 1e-12);
     mass_ = one["mass"];
+    expectFrequencies(sceneOfModel(folder_.path() / name, DeckUse::run), readScene(folder_.path() / "scene.toml"));
     const Table rows = table("d/history.csv"), expected = table("s/history.csv");
     ASSERT_EQ(rows.rows.size(), expected.rows.size());
     for (const std::size_t row : {std::size_t{0}, rows.rows.size() - 1})
@@ -47,6 +51,21 @@ class DeckProgram : public Program {
     if (one["handler"].is_null()) {
       EXPECT_NEAR(parse(inspected.out)["mass"].get<double>() / mass_, 1, 1e-12);
     }
+  }
+  /// The lowest frequency of vibration and the highest one.
+  static void expectFrequencies(const Scene& ofDeck, const Scene& ofScene) {
+    const auto squares = [](const Scene& scene) {
+      std::vector<std::string> notes;
+      const Body body = sceneBody(scene, sceneMesh(scene, notes), 1);
+      return DenseTangent(body, body.mesh().X).eigenvalues();
+    };
+    const Eigen::VectorXd own = squares(ofDeck), other = squares(ofScene);
+    ASSERT_EQ(own.size(), other.size());
+    if (other.size() == 0) return;  // all is held
+    const double highest = other.tail(1)[0];
+    const Eigen::Index lowest = (other.array() < 1e-9 * highest).count();  // above those of rigid motions
+    EXPECT_NEAR(std::sqrt(own[lowest] / other[lowest]), 1, 1e-12);
+    EXPECT_NEAR(std::sqrt(own.tail(1)[0] / highest), 1, 1e-12);
   }
   /// Writes a deck, or a file that one includes, and remembers its keywords.
   void use(const std::string& name, const std::string& text) {

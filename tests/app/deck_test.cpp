@@ -218,8 +218,6 @@ TEST_F(Decks, RefuseWhatWouldChangeTheMotion) {
   for (const std::string elset : {"bars", "BARS"})
     refuse(trusses + bars + whole + "*SOLID SECTION, ELSET=" + elset + ", MATERIAL=soft\n",
            "deck.inp:23: *ELEMENT, TYPE=T3D2: 1 element: there are solid elements only");
-  refuse("*ELEMENT, TYPE=C3D8R\n7, 1, 2, 3, 4, 5, 6, 7, 8\n" + whole,
-         "TYPE=C3D8R: a hex8 above has another quadrature; one is for all");
   refuse(std::string(soft) + step("", "*STEP\n*STATIC\n"), "deck.inp:30: *STATIC: is no *DYNAMIC step");
   refuse(soft, "deck.inp: has no *DYNAMIC step");
   refuse(std::string(soft) + step("") + step(""), "deck.inp:33: *STEP: a second step; a run has one");

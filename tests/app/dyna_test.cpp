@@ -310,6 +310,15 @@ std::vector<Case> cases() {
                    elastic + fmt::format("rules = [\"{}\"]\n", rule) + viscosity +
                        "[[fix]]\nset = \"#1\"\n[[initial]]\nwhere = \"all\"\nvelocity = [0.1, 0, 0]\n",
                    integrator(1e-3)});
+  // Parts of one point and of eight.
+  all.push_back({"two-rules",
+                 begin + until(1e-4) + part(1, 1, 1) + part(2, 2, 1) + section(1, 1) + section(2, 2) + steel() +
+                     cubes(2) + held + keyword("LOAD_NODE_POINT", card(9, 2, 1, 1e4)) +
+                     keyword("DEFINE_CURVE", card(1), points({{0, 1}, {1, 1}})) + ending,
+                 "[[material]]\nset = \"part-1\"\n" + elastic.substr(elastic.find('\n') + 1) + onePoint +
+                     "[[material]]\nset = \"part-2\"\n" + elastic.substr(elastic.find('\n') + 1) + selectiveRule +
+                     root + viscosity + "[[force]]\nset = \"#9\"\neach = [0, 1e4, 0]\n",
+                 integrator(1e-4)});
   return all;
 }
 

@@ -28,7 +28,7 @@ class Inspect : public test::Program {
   }
   /// The critical step by a dense solver.
   static double exact(const Body& body, const NodeVectors& x) { return 2 / std::sqrt(test::denseHighest(body, x)); }
-  static Body bodyOf(const Mesh& mesh, std::map<std::string, std::string> rules = {}) {
+  static Body bodyOf(const Mesh& mesh, ElementRules rules = {}) {
     return Body(mesh, makeMaterial("stvk", 30e3, 0.3, 1000), {std::move(rules), Lumping::rowSum, 1});
   }
   void makeBar(const std::string& element = "tet4") {

@@ -1,5 +1,6 @@
 // Several materials in one body: which element has which, and what that does to statics, waves and the bracket.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -143,6 +144,30 @@ TEST_F(Program, RefusesMaterialsThatDoNotFit) {
   folder_.write("scene.toml", sceneText(mesh, {left, right}));
   expectRefused("run scene.toml --set material.young=3", "[[material]] is a list; write material.0.young=");
   expectRefused("run scene.toml --set material.2.young=3", "there is no [[material]] number 2; the scene has 2");
+}
+
+// Of a bar whose right half has another rule, and whose end alone is moved, the energy is that of a bar of the end's
+// rule.
+TEST(Materials, HaveRulesOfTheirOwn) {
+  const auto energies = [](const std::string& left, const std::string& right) {
+    const std::string mesh = "generate = \"bar\"\nsize = [0.4, 0.1, 0.1]\ncells = [4, 1, 1]\nelement = \"hex8\"\n";
+    const Body body = bodyOf(sceneText(mesh, {{"where = \"x < 0.2\"\n" + left, "linear", 1e5, 0.3, 1e3},
+                                              {"where = \"x > 0.2\"\n" + right, "linear", 1e5, 0.3, 1e3}}));
+    std::array<double, 2> found{};
+    for (const std::size_t side : {0U, 1U}) {
+      NodeVectors x = body.mesh().X;
+      for (Eigen::Index i = 0; i < x.cols(); ++i)
+        if (std::abs(x(0, i) - (side == 0 ? 0 : 0.4)) < 1e-9) x(0, i) += (x(1, i) - 0.05) * (x(2, i) - 0.05);
+      Body::Workspace workspace;
+      found[side] = body.energy(x, workspace);
+    }
+    return found;
+  };
+  const std::string onePoint = "rules = [\"hex8=uniform-strain\"]", full = "rules = [\"hex8=gauss-2x2x2\"]";
+  const auto ofOnePoint = energies(onePoint, ""), ofFull = energies("", full), mixed = energies(onePoint, full);
+  EXPECT_GT(ofFull[0], 1.5 * ofOnePoint[0]);
+  EXPECT_NEAR(mixed[0] / ofOnePoint[0], 1, 1e-14);
+  EXPECT_NEAR(mixed[1] / ofFull[1], 1, 1e-14);
 }
 
 // A bar of two halves under an end load F: elongation F/A (L1/E1 + L2/E2), exact in elements of the first order without

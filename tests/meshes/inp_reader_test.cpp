@@ -374,7 +374,7 @@ class InpFilesTest : public ::testing::Test {
 };
 
 TEST_F(InpFilesTest, FollowsIncludes) {
-  write("deck.inp", "*HEADING\n*INCLUDE, INPUT=parts/all.inp\n*NSET, NSET=tip\n*INCLUDE, INPUT=tip.txt\n3\n");
+  write("deck.inp", "*HEADING\n*INCLUDE, INPUT=parts\\all.inp\n*NSET, NSET=tip\n*INCLUDE, INPUT=tip.txt\n3\n");
   write("parts/all.inp", joinText("** nodes\n", tetrahedron, "*include, input = \"more.inp\"\n"));  // beside it
   write("parts/more.inp", "*ELEMENT, TYPE=C3D4, ELSET=all\n7, 1, 2, 3, 4\n");
   write("tip.txt", "4,\n");

@@ -330,6 +330,8 @@ def test_a_program_that_is_ended_leaves_nothing(tmp_path: pathlib.Path) -> None:
     ("m.vtu", "version https://git-lfs.github.com/spec/v1\noid sha256:0\n", "a pointer of Git LFS"),
     ("m.mesh", "MeshVersionFormatted 2\nDimension 3\nVertices\n3\n0 0 0 0\n1 0 0 0\n0 1 0 0\nTriangles\n1\n1 2 3 0\nEnd\n",
      "there are no volume elements, only 1 of surfaces"),
+    ("m.mesh", "MeshVersionFormatted 2\nDimension 3\nVertices\n3\n0 0 0 0\n1 0 0 0\n0 1 0 0\nTetrahedra\n1\n1 2 3 0 0\nEnd\n",
+     "it has a tetra with node 0; there are 3 nodes"),
     ("m.mesh", "MeshVersionFormatted 2\nWhat\n", "a Medit mesh; meshio cannot read it: Expected `Vertices`"),
     ("m.bdf", "BEGIN BULK\nGRID,1,7,0.,0.,0.\nGRID,2,7,1.,0.,0.\nGRID,3,7,0.,1.,0.\nGRID,4,7,0.,0.,1.\nCTETRA,1,1,1,2,3,4\nENDDATA\n",
      "line 2: GRID has coordinate system 7; only the basic one is read"),
@@ -463,6 +465,30 @@ def test_universal_files_are_read_by_gmsh(tmp_path: pathlib.Path, order: int) ->
     assert all(len(mesh.cell_sets["body"][0]) == len(mesh.blocks[0][1]) for mesh in (of_unv, of_msh))
 
 
+@pytest.mark.parametrize("type_,axes,matrix,said", [
+    (111, 1, "", ""),
+    (111, 2, " 1.0D+00 0.0D+00 0.0D+00\n 0.0D+00 1.0D+00 0.0D+00\n 0.0D+00 0.0D+00 1.0D+00\n 0.0D+00 0.0D+00 0.0D+00\n", ""),
+    (111, 2, " 0.0D+00 1.0D+00 0.0D+00\n-1.0D+00 0.0D+00 0.0D+00\n 0.0D+00 0.0D+00 1.0D+00\n 0.0D+00 0.0D+00 0.0D+00\n",
+     "m.unv:14: node 1 is in coordinate system 2, which is not followed"),
+    (117, 1, "", "m.unv:17: element 2 is of type 117, which gmsh does not know"),
+])  # fmt: skip
+def test_what_gmsh_passes_over_in_universal_files_is_refused(tmp_path: pathlib.Path, type_: int, axes: int, matrix: str, said: str) -> None:
+    if not shutil.which("gmsh"):
+        pytest.skip("gmsh is not installed (scripts/setup --remeshing)")
+
+    def line(*numbers: int) -> str:
+        return "".join(f"{number:10d}" for number in numbers) + "\n"
+
+    mark, corners = "    -1\n", ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1))
+    text = f"{mark}  2420\n{line(1)}part\n{line(2, 0, 8)}own axes\n{matrix}{mark}" if matrix else ""
+    text += f"{mark}  2411\n" + "".join(line(n, axes, 1, 11) + "".join(f"{x:25.16E}" for x in X) + "\n" for n, X in enumerate(corners, 1)) + mark
+    # A rod has a line more than others.
+    text += f"{mark}  2412\n" + line(1, 21, 1, 1, 7, 2) + line(0, 1, 1) + line(1, 2) + line(2, type_, 1, 1, 7, 4) + line(1, 2, 3, 4) + mark
+    (tmp_path / "m.unv").write_text(text)
+    result = call("mesh", "check", tmp_path / "m.unv")
+    assert said in result.stderr and result.returncode == (2 if said else 0), result
+
+
 @pytest.mark.parametrize("order,hexahedra", [(1, False), (1, True), (2, False), (2, True)])
 def test_files_of_gmsh_are_its_model(tmp_path: pathlib.Path, order: int, hexahedra: bool) -> None:
     """Medit, Nastran and SU2 as gmsh writes them, against its own format."""
@@ -540,6 +566,14 @@ def test_tags_of_dolfinx_are_sets(tmp_path: pathlib.Path) -> None:
     (tmp_path / "two.xdmf").write_text(text.replace("</Domain>", grid("Triangle", tetrahedra[3:4, :3], [9], "<Geometry/>") + "</Domain>"))
     result = call("mesh", "check", tmp_path / "two.xdmf")
     assert result.returncode == 2 and "several grids with points of their own" in result.stderr, result
+
+
+def test_the_time_of_a_grid_of_xdmf_is_passed_over(tmp_path: pathlib.Path) -> None:
+    points, cells = a_mesh("tet4")
+    meshio.write(tmp_path / "m.xdmf", meshio.Mesh(points, cells))
+    text = (tmp_path / "m.xdmf").read_text()
+    (tmp_path / "timed.xdmf").write_text(text.replace("</Grid>", '<Time Value="0.5"/></Grid>'))
+    assert np.array_equal(rw.load_mesh(tmp_path / "timed.xdmf").points, points)
 
 
 @pytest.mark.parametrize("version", [4.0, 4.1])
