@@ -83,8 +83,7 @@ WORDS = {
 
 
 # How many lines a page of docs/ may have: what a reader takes in at once. 150 where the page is not named here.
-GUIDE_LINES, LONGEST_GUIDE = {"monitor.md": 90, "performance.md": 50, "cluster.md": 100, "certificate_file.md": 190,
-                              "foreign_solvers.md": 155}, 150
+GUIDE_LINES, LONGEST_GUIDE = {"monitor.md": 90, "performance.md": 50, "cluster.md": 100}, 150
 # How wide its lines may be, so that a change of a sentence can be read, and its rows of tables, so that a cell stays one thought.
 WIDEST_PROSE, WIDEST_ROW = 170, 220
 TERMS_OF_THE_GLOSSARY = 45
