@@ -63,7 +63,7 @@ extern "C" const char* ringwatchInspect(const char* request) {
     options.distribution = true;
     const std::filesystem::path report = "report.html";
     options.page = [&](const ringwatch::Inspection& found) {
-      json["verdict"] = ringwatch::writeInspectionReport(found, report).title;
+      json["verdict"] = ringwatch::labelled(ringwatch::writeInspectionReport(found, report).title);
     };
     json["inspection"] = ringwatch::labelledJson(ringwatch::inspectMesh(options).json);
     json["report"] = ringwatch::readBytes(report);
