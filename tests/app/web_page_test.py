@@ -118,7 +118,7 @@ def check_units(page, program, folder):
     page.evaluate("""['step', 'fix'].forEach(id => document.getElementById(id).value = '');
       const units = document.getElementById('units'); units.value = 'mm-kg-ms'; units.dispatchEvent(new Event('change'))""")
     check_numbers(page, program, folder / "part.vtu", "--young", "210", "--poisson", "0.3", "--density", "7.85e-6", "--units", "mm-kg-ms")
-    text = page.evaluate("document.querySelector('iframe').contentDocument.body.textContent")
+    text = page.evaluate("document.querySelector('iframe').contentDocument.body.innerText")
     true(re.search(r"\d ms\b", text) and not re.search(r"\d (s|m|Pa)\b|\((s|m|Pa)\)", text), "labels of the SI in the page")
 
 
