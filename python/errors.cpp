@@ -3,6 +3,7 @@
 #include <pybind11/pybind11.h>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/units.h>
 
 namespace ringwatch::python {
 namespace {
@@ -12,7 +13,7 @@ namespace py = pybind11;
 /// Throws the package's exception of that name with the same line.
 void raise(const char* name, const char* line) {
   const py::object type = py::module_::import("ringwatch._errors").attr(name);
-  PyErr_SetString(type.ptr(), line);
+  PyErr_SetString(type.ptr(), labelled(line).c_str());
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/units.h>
 
 namespace ringwatch::python {
 
@@ -72,7 +73,7 @@ py::object eventResult(const MonitorEvent& event, const Mesh& mesh) {
   return type(text(eventName(event.kind)), integer(event.step), real(event.time), real(event.value),
               orNone(event.element, [&](ElementRef element) { return elementResult(mesh, element); }),
               orNone(event.cause, [](const ElementCause& cause) { return causeResult(cause); }),
-              orNone(event.end, integer), text(eventText(event, mesh)));
+              orNone(event.end, integer), text(labelled(eventText(event, mesh))));
 }
 
 }  // namespace ringwatch::python

@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 
 #include <ringwatch/app/output/exit_status.h>
-#include <ringwatch/app/scene/units.h>
 #include <ringwatch/base/options.h>
+#include <ringwatch/base/units.h>
 #include <ringwatch/body/body.h>
 #include <ringwatch/integrators/integrator.h>
 #include <ringwatch/monitor/critical_step.h>

@@ -368,16 +368,16 @@ void writeMetricsVtu(const std::filesystem::path& path, const Subject& subject,
   std::vector<double> heights;
   for (const auto& block : quality)
     for (const ElementQuality& q : block) heights.push_back(q.minHeight);
-  add(labelled(std::string("minimum height (m)")), std::move(heights));
+  add(labelled("minimum height (m)"), std::move(heights));
   const NodeVectors displacement = subject.x - subject.body.mesh().X;
   std::vector<VtuField> points;
   if (!displacement.isZero(0))
     points.push_back({"displacement", 3,
                       std::span<const double>(displacement.data(), static_cast<std::size_t>(displacement.size()))});
   const std::int32_t deformed = 1;
-  std::vector<VtuField> frame{{labelled(std::string("safe step (s)")), 1, std::span(&step.safe, 1)},
-                              {labelled(std::string("optimistic step (s)")), 1, std::span(&step.optimistic, 1)}};
-  if (h) frame.push_back({labelled(std::string("step (s)")), 1, std::span<const double>(&*h, 1)});
+  std::vector<VtuField> frame{{labelled("safe step (s)"), 1, std::span(&step.safe, 1)},
+                              {labelled("optimistic step (s)"), 1, std::span(&step.optimistic, 1)}};
+  if (h) frame.push_back({labelled("step (s)"), 1, std::span<const double>(&*h, 1)});
   if (!points.empty()) frame.push_back({deformedPointsMark, 1, std::span(&deformed, 1)});
   writeVtu(path, subject.body.mesh(), subject.x, points, fields, std::nullopt, frame);
 }

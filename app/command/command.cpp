@@ -65,11 +65,12 @@ void JsonOption::declare(CLI::App& command, const char* what) {
 }
 
 void JsonOption::save(const nlohmann::ordered_json& json) const {
-  if (!path.empty() && !takesStandardOutput()) writeFileAtomically(path, labelled(json).dump(2) + "\n");
+  if (!path.empty() && !takesStandardOutput()) writeFileAtomically(path, labelledJson(json).dump(2) + "\n");
 }
 
 void JsonOption::print(const nlohmann::ordered_json& json, const std::string& text) const {
-  printOut(takesStandardOutput() ? labelled(json).dump(2) + "\n" : labelled(text + conclusionLine(json["conclusion"])));
+  printOut(takesStandardOutput() ? labelledJson(json).dump(2) + "\n"
+                                 : labelled(text + conclusionLine(json["conclusion"])));
 }
 
 void JsonOption::write(const nlohmann::ordered_json& json, const std::string& text) const {

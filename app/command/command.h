@@ -13,7 +13,7 @@
 #include <ringwatch/app/output/exit_status.h>
 #include <ringwatch/app/report/run_report.h>
 #include <ringwatch/app/scene/number_text.h>
-#include <ringwatch/app/scene/units.h>
+#include <ringwatch/base/units.h>
 
 namespace ringwatch {
 

@@ -74,7 +74,7 @@ std::string initScene(InitOptions options, const Ask& ask) {
   if (!options.fix) options.fix = ask ? ask("Nodes that are held, a condition (Enter: those of least x)") : "";
   if (options.fix->empty()) options.fix = fmt::format("x < {:.6g}", least + heldShare * length);
   if (!options.end && ask) {
-    const std::string question = labelled(std::string("Time that the run takes (s)"));
+    const std::string question = labelled("Time that the run takes (s)");
     const auto numbers = numbersOf(ask(fmt::format("{} (Enter: {:.2g})", question, crossings * crossing)), 1, question);
     if (!numbers.empty()) options.end = numbers[0];
   }

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include <ringwatch/app/scene/units.h>
+#include <ringwatch/base/units.h>
 
 namespace ringwatch {
 

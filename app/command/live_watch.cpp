@@ -11,9 +11,9 @@
 
 #include <ringwatch/app/output/provenance.h>
 #include <ringwatch/app/run/run_forecast.h>
-#include <ringwatch/app/scene/units.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/infinity.h>
+#include <ringwatch/base/units.h>
 
 namespace ringwatch {
 namespace {

@@ -94,7 +94,7 @@ struct MeshCommand final : Command {
     }
     const Mesh mesh = generateMesh(kind, generatorArguments(values));
     write(mesh, output);
-    printOut(fmt::format("{}: {} nodes, {}\n", output, mesh.nodeCount(), elementCounts(mesh)));
+    printOut(conclusionLine(fmt::format("{}: {} nodes, {}", output, mesh.nodeCount(), elementCounts(mesh))));
     return ExitStatus::done;
   }
 
@@ -125,7 +125,7 @@ struct MeshCommand final : Command {
     }
     write(mesh, target);
     for (const std::string& note : notes) printOut("note: " + note + "\n");
-    printOut(fmt::format("{}: {} nodes, {}\n", target, mesh.nodeCount(), elementCounts(mesh)));
+    printOut(conclusionLine(fmt::format("{}: {} nodes, {}", target, mesh.nodeCount(), elementCounts(mesh))));
     return ExitStatus::done;
   }
 
@@ -169,8 +169,9 @@ struct MeshCommand final : Command {
     if (distance)
       text += fmt::format("{}: the volume was {:.10g} m³ and is {:.10g} m³\n", target, meshVolume(mesh),
                           meshVolume(repaired.mesh));
-    text += fmt::format("{}: {} nodes, {}{}\n", target, repaired.mesh.nodeCount(), elementCounts(repaired.mesh),
-                        repaired.problems.empty() ? "" : "; left: " + kindsOf(repaired.problems));
+    text += conclusionLine(fmt::format("{}: {} nodes, {}{}", target, repaired.mesh.nodeCount(),
+                                       elementCounts(repaired.mesh),
+                                       repaired.problems.empty() ? "" : "; left: " + kindsOf(repaired.problems)));
     if (units) useUnits(*units);
     printOut(labelled(text));
     return repaired.problems.empty() ? ExitStatus::done : ExitStatus::unstable;
@@ -182,9 +183,10 @@ struct MeshCommand final : Command {
     std::string text;
     for (const std::string& note : notes) text += "note: " + note + "\n";
     text += problemLines(problems, allProblems);
-    text += problems.empty()       ? fmt::format("{}: nothing wrong\n", checked)
-            : problems.size() == 1 ? fmt::format("{}: 1 problem\n", checked)
-                                   : fmt::format("{}: {} problems: {}\n", checked, problems.size(), kindsOf(problems));
+    text += conclusionLine(checked + (problems.empty() ? ": nothing wrong"
+                                      : problems.size() == 1
+                                          ? ": 1 problem"
+                                          : fmt::format(": {} problems: {}", problems.size(), kindsOf(problems))));
     printOut(text);
     return problems.empty() ? ExitStatus::done : ExitStatus::unstable;
   }

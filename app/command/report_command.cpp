@@ -1,4 +1,5 @@
 #include <ringwatch/app/command/command.h>
+#include <ringwatch/app/output/report.h>
 #include <ringwatch/app/report/run_report.h>
 
 namespace ringwatch {
@@ -27,7 +28,7 @@ struct ReportCommand final : Command {
     options.folder = folder;
     options.output = output;
     const ReportResult report = neededReportWriters().ofRun(options);
-    printOut(labelled(fmt::format("{}: {}\n", report.title, report.sentence)) + reportText(report));
+    printOut(reportText(report) + labelled(conclusionLine(report.title + ": " + report.sentence)));
     return ExitStatus::done;
   }
 };

@@ -237,9 +237,9 @@ void FrameWriter::write(const NodeVectors& x, const NodeVectors& v, const FrameS
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   const double safe = state.safe.value_or(unknown), optimistic = state.optimistic.value_or(unknown);
   const std::int32_t verdict = state.verdict ? static_cast<std::int32_t>(*state.verdict) : -1, deformed = 1;
-  const VtuField frame[] = {{labelled(std::string("safe step (s)")), 1, std::span(&safe, 1)},
-                            {labelled(std::string("optimistic step (s)")), 1, std::span(&optimistic, 1)},
-                            {labelled(std::string("step (s)")), 1, std::span(&state.h, 1)},
+  const VtuField frame[] = {{labelled("safe step (s)"), 1, std::span(&safe, 1)},
+                            {labelled("optimistic step (s)"), 1, std::span(&optimistic, 1)},
+                            {labelled("step (s)"), 1, std::span(&state.h, 1)},
                             {"verdict", 1, std::span(&verdict, 1)},
                             {deformedPointsMark, 1, std::span(&deformed, 1)}};
   const std::filesystem::path file = fileOf(entries_.size() + 1);

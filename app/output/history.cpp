@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 
 #include <ringwatch/app/output/output_fields.h>
-#include <ringwatch/app/scene/units.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/input_file.h>
+#include <ringwatch/base/units.h>
 
 namespace ringwatch {
 namespace {

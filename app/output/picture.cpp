@@ -6,10 +6,10 @@
 #include <fmt/format.h>
 
 #include <ringwatch/app/output/gnuplot.h>
-#include <ringwatch/app/scene/units.h>
 #include <ringwatch/base/atomic_file.h>
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/base/subprocess.h>
+#include <ringwatch/base/units.h>
 
 namespace ringwatch {
 namespace {

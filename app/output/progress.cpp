@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include <ringwatch/app/scene/units.h>
+#include <ringwatch/base/units.h>
 
 namespace ringwatch {
 namespace {

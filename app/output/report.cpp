@@ -5,10 +5,19 @@
 #include <fmt/format.h>
 
 #include <ringwatch/app/scene/scene_materials.h>
+#include <ringwatch/base/units.h>
 
 namespace ringwatch {
 
 using Json = nlohmann::ordered_json;
+
+Json labelledJson(Json json) {
+  if (json.is_string()) return labelled(json.get<std::string>());
+  if (json.is_structured())
+    for (const auto& [key, value] : json.items())
+      if (key != "scene" && key != "provenance") value = labelledJson(std::move(value));
+  return json;
+}
 
 std::string conclusionLine(const std::string& conclusion) { return fmt::format("conclusion: {}\n", conclusion); }
 

@@ -11,6 +11,8 @@
 
 namespace ringwatch {
 
+/// labelled() of every text in JSON but the scene's and the provenance's; keys stay.
+nlohmann::ordered_json labelledJson(nlohmann::ordered_json json);
 /// JSON has no number that is not finite: null instead.
 nlohmann::ordered_json numberOrNull(double value);
 /// How many elements a mesh has of each type, in the order of its blocks.

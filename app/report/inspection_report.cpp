@@ -26,7 +26,7 @@ VtuFrame frameOf(const Inspection& inspection) {
                             : stepField(evaluateMetric(usual, inspection.body, inspection.x), inspection.rule));
   for (const MetricResult& metric : inspection.metrics)
     if (metric.info->name != usual) frame.cells.push_back(stepField(metric, inspection.rule));
-  FrameField heights{labelled(std::string("least height at rest (m)")), false, {}};
+  FrameField heights{labelled("least height at rest (m)"), false, {}};
   for (const auto& block : meshQuality(inspection.body.mesh()))
     for (const ElementQuality& q : block) heights.values.push_back(q.minHeight);
   frame.cells.push_back(std::move(heights));

@@ -7,9 +7,9 @@
 
 #include <ringwatch/app/output/report.h>
 #include <ringwatch/app/report/surface_picture.h>
-#include <ringwatch/app/scene/units.h>
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/base/sort_unique.h>
+#include <ringwatch/base/units.h>
 #include <ringwatch/meshes/adjacency.h>
 #include <ringwatch/meshes/quality.h>
 
@@ -19,7 +19,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 bool isStepName(const std::string& field) {
-  return field.ends_with(labelled(std::string(" (s)"))) && field.find("step") != std::string::npos;
+  return field.ends_with(labelled(" (s)")) && field.find("step") != std::string::npos;
 }
 
 bool isStepField(const FrameField& field) { return !field.integer && isStepName(field.name); }
@@ -344,9 +344,9 @@ void MeshPack::closeGroup() {
     };
     frames.push_back(Json{{"number", frame.number},
                           {"time", frame.time},
-                          {"safe", value(labelled(std::string("safe step (s)")))},
-                          {"optimistic", value(labelled(std::string("optimistic step (s)")))},
-                          {"h", value(labelled(std::string("step (s)")))},
+                          {"safe", value(labelled("safe step (s)"))},
+                          {"optimistic", value(labelled("optimistic step (s)"))},
+                          {"h", value(labelled("step (s)"))},
                           {"verdict", value("verdict")},
                           {"min", {least.x(), least.y(), least.z()}},
                           {"max", {largest.x(), largest.y(), largest.z()}},

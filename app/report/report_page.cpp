@@ -612,7 +612,7 @@ std::string pageHtml(const Page& page) {
     html += labelled(section.html.substr(0, quoted)) + section.html.substr(quoted);
   }
   html += "</main>\n<script type=\"application/json\" id=\"report\">";
-  Json embedded = labelled(page.embedded);
+  Json embedded = labelledJson(page.embedded);
   embedded["reloadAfter"] = page.reloadAfter;
   for (const char* unit : {"s", "m", "J"}) embedded["units"][unit] = unitNamed(unit);
   html += scriptJson(embedded);

@@ -308,12 +308,11 @@ RunAnalysis analyseLargeRun(const std::filesystem::path& folder, const VtuFrame&
     const auto found = frame.values.find(name);
     return found == frame.values.end() || !std::isfinite(found->second) ? std::nullopt : std::optional(found->second);
   };
-  AnalysedFrame state{
-      frame, {}, {}, stepRule(*integrator, scene.damping), {}, {}, value(labelled(std::string("step (s)")))};
+  AnalysedFrame state{frame, {}, {}, stepRule(*integrator, scene.damping), {}, {}, value(labelled("step (s)"))};
   // With a handler the run's bracket is that of the elements that it left explicit.
   if (scene.handler.empty()) {
-    state.safe = value(labelled(std::string("safe step (s)")));
-    state.optimistic = value(labelled(std::string("optimistic step (s)")));
+    state.safe = value(labelled("safe step (s)"));
+    state.optimistic = value(labelled("optimistic step (s)"));
   }
   for (const SceneMaterial& material : scene.materials)
     state.waveSpeeds.push_back(makeMaterial(material.model, material.parameters, material.density).waveSpeed());

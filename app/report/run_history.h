@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include <ringwatch/app/scene/units.h>
+#include <ringwatch/base/units.h>
 
 namespace ringwatch {
 

@@ -171,8 +171,7 @@ std::size_t keyFrameOf(const std::vector<PvdEntry>& frames, std::optional<double
   if (!time || key == 0 || ofContact) return key;
   const VtuFrame* frame = read(key);
   if (!frame) return key - 1;
-  const auto safe = frame->values.find(labelled(std::string("safe step (s)"))),
-             h = frame->values.find(labelled(std::string("step (s)")));
+  const auto safe = frame->values.find(labelled("safe step (s)")), h = frame->values.find(labelled("step (s)"));
   const bool left = h != frame->values.end() && safe != frame->values.end() && !std::isnan(safe->second) &&
                     !(safe->second > useful * h->second);
   return left ? key - 1 : key;
@@ -214,8 +213,7 @@ std::optional<VtuFrame> addFrames(PageContent& page, const ReportOptions& option
     if (i == key) {
       page.keyFrame = static_cast<std::int64_t>(i) + 1;
       page.where = fmt::format("in frame {}, t = {:.6g} s", page.keyFrame, frames[i].time);
-      if (const auto h = state->values.find(labelled(std::string("step (s)"))); h != state->values.end())
-        page.keyStep = h->second;
+      if (const auto h = state->values.find(labelled("step (s)")); h != state->values.end()) page.keyStep = h->second;
     }
     PageFrame shown{static_cast<std::int64_t>(i) + 1, frames[i].time, std::move(*state)};
     const bool same = i == key && keepsItsElements(page.summary);
@@ -249,9 +247,8 @@ void analyse(PageContent& page, const std::filesystem::path& folder, const std::
       const auto found = state.values.find(name);
       return found == state.values.end() || !std::isfinite(found->second) ? std::nullopt : std::optional(found->second);
     };
-    page.analysis =
-        analyseRun(folder, frame.file, value(labelled(std::string("safe step (s)"))),
-                   value(labelled(std::string("optimistic step (s)"))), value(labelled(std::string("step (s)"))));
+    page.analysis = analyseRun(folder, frame.file, value(labelled("safe step (s)")),
+                               value(labelled("optimistic step (s)")), value(labelled("step (s)")));
     page.analysis->where = page.where;
   } catch (const std::runtime_error& fault) {
     page.whyNoAnalysis = fmt::format("Left out: {}", fault.what());

@@ -1,6 +1,6 @@
 #include <ringwatch/app/report/state_frame.h>
 
-#include <ringwatch/app/scene/units.h>
+#include <ringwatch/base/units.h>
 
 namespace ringwatch {
 
@@ -9,9 +9,8 @@ VtuFrame stateFrame(const Body& body, const NodeVectors& x, const CriticalStep* 
   frame.mesh = body.mesh();
   frame.mesh.X = x;
   if (bracket)
-    frame.values = {{labelled(std::string("safe step (s)")), bracket->safe},
-                    {labelled(std::string("optimistic step (s)")), bracket->optimistic}};
-  if (step) frame.values[labelled(std::string("step (s)"))] = *step;
+    frame.values = {{labelled("safe step (s)"), bracket->safe}, {labelled("optimistic step (s)"), bracket->optimistic}};
+  if (step) frame.values[labelled("step (s)")] = *step;
   return frame;
 }
 

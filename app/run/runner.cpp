@@ -53,7 +53,7 @@ class Runner {
     run_.result.files.emplace_back("summary.json");
     const std::filesystem::path file = run_.options.folder / "summary.json";
     try {
-      writeFileAtomically(file, labelled(summary()).dump(2) + "\n");
+      writeFileAtomically(file, labelledJson(summary()).dump(2) + "\n");
     } catch (const std::exception& fault) {
       throw RunFailed(run_.result.reason == ExitReason::failed ? run_.result.reasonText
                       : dynamic_cast<const InputError*>(&fault)

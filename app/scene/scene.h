@@ -15,9 +15,9 @@
 #include <ringwatch/app/scene/probe_quantity.h>
 #include <ringwatch/app/scene/scene_materials.h>
 #include <ringwatch/app/scene/time_table.h>
-#include <ringwatch/app/scene/units.h>
 #include <ringwatch/app/scene/where_expression.h>
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/units.h>
 #include <ringwatch/body/body.h>
 #include <ringwatch/body/obstacle.h>
 #include <ringwatch/handlers/handler.h>

@@ -8,6 +8,7 @@
 #include <stb/stb_image.h>
 
 #include <ringwatch/app/analysis/inspect.h>
+#include <ringwatch/app/output/report.h>
 #include <ringwatch/app/report/inspection_report.h>
 #include <ringwatch/app/scene/mjcf_model.h>
 #include <ringwatch/base/error.h>
@@ -44,8 +45,8 @@ bool unpack(const std::string& source, const std::string& compressor, const char
 }  // namespace ringwatch
 
 /// Inspects as a request says: {"mesh": path, "options": {"young": 210e9, …} of the law, "fix": [conditions], and
-/// "density" and "step" where they are given}. Returns {"inspection": the JSON of `ringwatch inspect --distribution`,
-/// "verdict" and "report": a page and its title} or {"error": one line}; valid until the next call.
+/// "density", "step" and "units" where they are given}. Returns {"inspection": the JSON of `ringwatch inspect
+/// --distribution`, "verdict" and "report": a page and its title} or {"error": one line}; valid until the next call.
 extern "C" const char* ringwatchInspect(const char* request) {
   static std::string answer;
   nlohmann::ordered_json json;
@@ -56,13 +57,15 @@ extern "C" const char* ringwatchInspect(const char* request) {
     for (const auto& [name, value] : asked.at("options").items()) options.parameters.set(name, value.get<double>());
     if (asked.contains("density")) options.density = asked.at("density").get<double>();
     if (asked.contains("step")) options.step = asked.at("step").get<double>();
+    if (asked.contains("units"))
+      options.units = ringwatch::unitSystems.valueOf("units", asked.at("units").get<std::string>());
     options.fix = asked.at("fix").get<std::vector<std::string>>();
     options.distribution = true;
     const std::filesystem::path report = "report.html";
     options.page = [&](const ringwatch::Inspection& found) {
-      json["verdict"] = ringwatch::writeInspectionReport(found, report).title;
+      json["verdict"] = ringwatch::labelled(ringwatch::writeInspectionReport(found, report).title);
     };
-    json["inspection"] = ringwatch::inspectMesh(options).json;
+    json["inspection"] = ringwatch::labelledJson(ringwatch::inspectMesh(options).json);
     json["report"] = ringwatch::readBytes(report);
   } catch (const std::exception& fault) {
     json = {{"error", fault.what()}};

@@ -7,7 +7,8 @@
 >>> 0 < step.safe <= step.optimistic
 True
 
-Arrays of nodes are (N, 3), float64, in C order, and are read where they lie. SI units. docs/python.md tells more.
+Arrays of nodes are (N, 3), float64, in C order, and are read where they lie. Any consistent units will do; those named here are
+of the SI, and `use_units` chooses what texts and pictures name. docs/python.md tells more.
 """
 from ._errors import InputError, NumericalError
 from ._results import (
@@ -34,6 +35,7 @@ from ._ringwatch import (
     inspect,
     load_mesh,
     metric_names,
+    use_units,
 )
 from ._convert import mesh_from
 from ._device_monitor import DeviceMonitor
@@ -75,5 +77,6 @@ __all__ = [
     "report",
     "run",
     "suggest",
+    "use_units",
     "verify",
 ]

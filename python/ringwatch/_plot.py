@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ._errors import InputError
+from ._ringwatch import _labelled
 
 _SAFE, _OPTIMISTIC, _TAKEN = "tab:green", "tab:red", "black"
 
@@ -62,7 +63,7 @@ def inspection(steps: Sequence[NDArray[np.float64]], safe: float, optimistic: fl
     ax.hist(values, bins=bins, color="tab:blue")
     ax.axvline(safe, color=_SAFE, label="safe: stable up to here")
     ax.axvline(optimistic, color=_OPTIMISTIC, linestyle="--", label="optimistic: unstable above")
-    ax.set(xscale="log", xlabel=f"step of an element by {metric} (s)", ylabel="elements")
+    ax.set(xscale="log", xlabel=_labelled(f"step of an element by {metric} (s)"), ylabel="elements")
     ax.legend()
     return ax
 
@@ -75,7 +76,7 @@ def comparison(runs: Mapping[str, NDArray[Any]], title: str, against: str, ax: A
     for name in dict.fromkeys(runs["integrator"].tolist()):
         own = runs["integrator"] == name
         ax.plot(cost[own], runs["error"][own], marker="o", label=name)
-    label = "time (s)" if against == "seconds" else "force evaluations and tangent products"
+    label = "computing time (seconds)" if against == "seconds" else "force evaluations and tangent products"
     ax.set(xscale="log", yscale="log", xlabel=label, ylabel="error over displacement", title=title)
     ax.legend()
     return ax

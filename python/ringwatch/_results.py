@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from . import _plot
 from ._errors import InputError
+from ._ringwatch import _labelled
 
 
 _LONGEST = 80  # characters of a field; what is longer is told by its type and size
@@ -101,7 +102,7 @@ class CriticalStep(Result):
     """rad²/s², negative: it proves the tangent indefinite, which no step cures. None where none was found."""
 
     def __str__(self) -> str:
-        return f"{self.safe:.6g} s <= critical step <= {self.optimistic:.6g} s"
+        return _labelled(f"{self.safe:.6g} s <= critical step <= {self.optimistic:.6g} s")
 
 
 @dataclass(frozen=True, slots=True, repr=False)
@@ -129,6 +130,9 @@ class Suggestion(Result):
     """rad²/s², negative: it proves the tangent of a state indefinite, which no step cures. None where none was found."""
 
     def __str__(self) -> str:
+        return _labelled(self._text())
+
+    def _text(self) -> str:
         text = f"proven stable up to {self.safe:.6g} s, proven unstable above {self.optimistic:.6g} s"
         if self.dt is None:
             return text
@@ -183,8 +187,8 @@ class Inspection(Result):
 
     def __str__(self) -> str:
         between = f"critical step = {self.exact:.6g} s" if self.exact is not None else "critical step"
-        return (f"{self.safe:.6g} s <= {between} <= {self.optimistic:.6g} s, for h omega <= {self.limit:g}\n"
-                f"in the way: {self.controlling}: {self.cause}")
+        return _labelled(f"{self.safe:.6g} s <= {between} <= {self.optimistic:.6g} s, for h omega <= {self.limit:g}\n"
+                         f"in the way: {self.controlling}: {self.cause}")
 
     @property
     def element_steps(self) -> tuple[NDArray[np.float64], ...]:
@@ -267,7 +271,7 @@ class MonitorReport(Result):
     def __str__(self) -> str:
         asked = "" if self.h is None else f", h = {self.h:.6g} s"
         known = f"{self.bracket}" if self.bracket else f"{self.certified:.6g} s is proven"
-        return f"step {self.step}, t = {self.time:.6g} s{asked}: {self.verdict}; {known}"
+        return _labelled(f"step {self.step}, t = {self.time:.6g} s{asked}: {self.verdict}; {known}")
 
     @property
     def safe(self) -> float:

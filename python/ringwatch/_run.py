@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import contextlib
 import csv
+import importlib
 import json
 import math
 import os
@@ -11,6 +12,7 @@ import subprocess
 import tempfile
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from html import escape
 from typing import Any
 
 import numpy as np
@@ -20,6 +22,7 @@ from . import _plot
 from ._errors import InputError, NumericalError
 from ._locations import PROGRAM
 from ._results import Result
+from ._ringwatch import _used_units
 
 _FAILED, _BAD_INPUT = 1, 2  # exit statuses, docs/reference/exit_status.md
 _TEXTS = ("controlling_element", "verdict")  # columns of history.csv that are no numbers
@@ -53,6 +56,12 @@ class RunResult(Result):
         monitored, ImportError without matplotlib.
         """
         return _plot.run(self.history, self.summary.get("events", []), self.verdict, ax)
+
+    def show(self) -> Any:
+        """Shows the page about the run, with its body in 3-D, in a frame of a notebook. Raises ImportError without IPython."""
+        html = importlib.import_module("IPython.display").HTML
+        page = escape(report(self.folder).read_text(encoding="utf-8"))
+        return html(f'<div><iframe title="Report" srcdoc="{page}" style="width: 100%; height: 48rem; border: 0"></iframe></div>')
 
 
 @dataclass(frozen=True, slots=True, repr=False)
@@ -96,17 +105,9 @@ class Audit(Result):
 
     @property
     def message(self) -> str:
-        """The audit in a line: "run.pvd: largest step used over proven step: 1.31, in state 4 of 12; …"."""
-        steps = self.found["steps"]
-        proven_in = "those whose tangent is not indefinite" if self.found["first"]["indefinite"] else "all of them"
-        known = any(state["step"] is not None for state in self.found["history"])
-        told = [f"{self.found['results']}: " + (
-            f"largest step used over proven step: {self.largest_share:.4g}, in state {steps['state']} of "
-            f"{self.found['states']}; {steps['proven_in_all']:.6g} s is proven in {proven_in}" if steps
-            else "no step is proven in any of its states" if known
-            else "the results do not tell which step was taken; give step")]
-        told += [f"first {what} in state {first['state']}" for what, first in self.found["first"].items() if first]
-        return "; ".join(told)
+        """The audit in a line: its conclusion, and the first states in which something happened."""
+        told = [f"first {what} in state {first['state']}" for what, first in self.found["first"].items() if first]
+        return "; ".join([f"{self.found['results']}: {self.found['conclusion']}", *told])
 
 
 def run(
@@ -201,6 +202,7 @@ def audit(
     for name, text in texts.items():
         command += [] if text is None else [f"--{name}", str(text)]
     command += [word for nodes in fix for word in ("--fix", nodes)]
+    command += [] if scene is not None else ["--units", _used_units()]
     status, told, complaint = _call(command)
     if not told:
         _refuse(status, complaint)

@@ -92,7 +92,7 @@ TEST_F(Program, RepairsMeshes) {
                                 HasSubstr("1 of 4 wedge6 are of the other handedness and were turned round\n"),
                                 HasSubstr("1 nodes that no element uses are dropped, the first is node 17"),
                                 HasSubstr("mended.msh: 12 nodes, 4 wedge6\n")));
-  EXPECT_THAT(call("mesh check mended.msh").out, ::testing::StrEq("mended.msh: nothing wrong\n"));
+  EXPECT_THAT(call("mesh check mended.msh").out, ::testing::StrEq("conclusion: mended.msh: nothing wrong\n"));
   const Outcome inspect = call(std::string("inspect mended.msh") + material);
   EXPECT_EQ(inspect.status, 0);
   EXPECT_THAT(inspect.out, HasSubstr("volume 2 m3"));

@@ -170,6 +170,19 @@ def check_mesh(browser, chromium, run):
     browser.key("End")
     browser.wait_for(f"{state}.frame === {frames}")
 
+    # Frames follow one another until they are stopped.
+    press = "[...document.querySelectorAll('#mesh-live button')].find(b => /^(Play|Pause)$/.test(b.textContent)).click()"
+    at = browser.evaluate(f"{state}.frame")
+    browser.evaluate(press)
+    browser.wait_for(f"{state}.frame !== {at}")
+    later = browser.evaluate(f"{state}.frame")
+    browser.wait_for(f"{state}.frame !== {later}")
+    browser.evaluate(press)
+    time.sleep(0.3)  # s, for the frame that was under way
+    stopped = browser.evaluate(f"{state}.frame")
+    time.sleep(0.5)
+    equal(browser.evaluate(f"{state}.frame"), stopped, "the frame after Pause")
+
     # Half of a bar is cut off along x.
     browser.evaluate("ringwatchReport.mesh.setThreshold(0)")
     whole = browser.evaluate(f"{state}.surfaceTriangles")

@@ -110,6 +110,18 @@ def check_report(page):
     true(shown[0] == shown[1], f"element {shown[0]} is shown, not {shown[1]}")
 
 
+def check_units(page, program, folder):
+    """The page knows the systems that scenes know; its numbers and labels are those of the command line, without a conversion."""
+    schema = json.loads(subprocess.run([program, "schema", "scene"], check=True, capture_output=True, text=True).stdout)
+    names = page.evaluate("[...document.getElementById('units').options].map(option => option.value)")
+    true(names == schema["properties"]["units"]["properties"]["system"]["enum"], f"systems of units: {names}")
+    page.evaluate("""['step', 'fix'].forEach(id => document.getElementById(id).value = '');
+      const units = document.getElementById('units'); units.value = 'mm-kg-ms'; units.dispatchEvent(new Event('change'))""")
+    check_numbers(page, program, folder / "part.vtu", "--young", "210", "--poisson", "0.3", "--density", "7.85e-6", "--units", "mm-kg-ms")
+    text = page.evaluate("document.querySelector('iframe').contentDocument.body.innerText")
+    true(re.search(r"\d ms\b", text) and not re.search(r"\d (s|m|Pa)\b|\((s|m|Pa)\)", text), "labels of the SI in the page")
+
+
 def check_refusals(page, program, folder):
     broken = folder / "broken.msh"
     broken.write_text((folder / "part.msh").read_text()[:5000])
@@ -151,6 +163,7 @@ def main():
         check_numbers(page, program, folder / "bar.inp")
         page.evaluate("document.getElementById('step').value = '1e-5'; document.getElementById('fix').value = 'x < 1e-6'")
         check_numbers(page, program, folder / "part.msh", *STEEL, "--step", "1e-5", "--fix", "x < 1e-6")
+        check_units(page, program, folder)
         check_refusals(page, program, folder)
         true(page.said() == [] and page.requests() == [], f"messages {page.said()}, requests {page.requests()}")
     return 0

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A second checker of certificates, written from docs/certificate_file.md alone: second_checker.py FILE …
+"""A second checker of certificates, written from docs/certificate_file.md and check/format.md alone: second_checker.py FILE …
 
 It shares nothing with ringwatch-check, neither source nor arithmetic: every number of the file is taken as the rational that it
 is, and what follows is an interval between two rationals with the denominator 2**BITS, rounded outwards. Slow, and simple.

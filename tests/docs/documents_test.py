@@ -31,8 +31,8 @@ SUBSTITUTES = {
         ("ringwatch run examples/stretch_bar.toml --out out/stretch_bar", 1),
     "ringwatch run examples/stretch_bar.toml --out out/stretch_bar --live":
         ("ringwatch run examples/stretch_bar.toml --out out/stretch_bar --live", 1),
-    "ringwatch audit out/stretch_bar/run.pvd --scene examples/stretch_bar.toml --report out/stretch_bar.html":
-        ("ringwatch audit out/stretch_bar/run.pvd --scene examples/stretch_bar.toml --report out/stretch_bar.html", 1),
+    "ringwatch audit out/stretch_bar/run.pvd --scene examples/stretch_bar.toml --report out/audit.html":
+        ("ringwatch audit out/stretch_bar/run.pvd --scene examples/stretch_bar.toml --report out/audit.html", 1),
     "ringwatch run examples/rolling_ring.toml --out out/rolling_ring":
         ("ringwatch run examples/rolling_ring.toml --out out/rolling_ring --set integrator.end=0.01", 0),
     "ringwatch run start.toml --out start": ("ringwatch run start.toml --out start", 1),
@@ -43,6 +43,10 @@ SUBSTITUTES = {
     "ringwatch compare examples/swinging_bar.toml --integrators all --out out/compare":
         ("ringwatch compare examples/swinging_bar.toml --integrators symplectic-euler,verlet --out out/compare "
          "--set mesh.cells=[4,1,1] --set integrator.end=0.02", 0),
+    "ringwatch compare examples/swinging_bar.toml --set mesh.generate=graded --set mesh.grading=20 --set 'mesh.cells=[40,6,6]' "
+    "--set integrator.end=0.1 --integrators verlet --handlers all --out out/handlers":
+        ("ringwatch compare examples/swinging_bar.toml --set mesh.generate=graded --set mesh.grading=4 --set 'mesh.cells=[4,1,1]' "
+         "--set integrator.end=0.02 --integrators verlet --handlers all --out out/handlers", 0),
     # Of another body.
     "ringwatch-check --expect 0123456789abcdef bar.certificate": ("ringwatch-check --expect 0123456789abcdef bar.certificate", 1),
 }
@@ -83,8 +87,7 @@ WORDS = {
 
 
 # How many lines a page of docs/ may have: what a reader takes in at once. 150 where the page is not named here.
-GUIDE_LINES, LONGEST_GUIDE = {"monitor.md": 90, "performance.md": 50, "cluster.md": 100, "certificate_file.md": 190,
-                              "foreign_solvers.md": 155}, 150
+GUIDE_LINES, LONGEST_GUIDE = {"monitor.md": 90, "performance.md": 50, "cluster.md": 100, "gallery.md": 170}, 150
 # How wide its lines may be, so that a change of a sentence can be read, and its rows of tables, so that a cell stays one thought.
 WIDEST_PROSE, WIDEST_ROW = 170, 220
 TERMS_OF_THE_GLOSSARY = 45

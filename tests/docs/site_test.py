@@ -17,7 +17,7 @@ from browser import Browser, find_chromium  # noqa: E402
 BROKEN = "[...document.images].filter(i => !i.complete || !i.naturalWidth).map(i => i.src)"
 FORMULAS = r"""[...document.querySelectorAll('.katex-error')].map(e => e.innerText).concat(
     [...document.querySelectorAll('.arithmatex')].filter(e => !e.querySelector('.katex')).map(e => e.innerText),
-    document.querySelector('article').innerText.match(/\$\$|\\\(|\\\[/g) || [])"""
+    (document.querySelector('article') ?? document.body).innerText.match(/\$\$|\\\(|\\\[/g) || [])"""
 WIDER = "document.documentElement.scrollWidth - document.documentElement.clientWidth"
 
 

@@ -12,6 +12,8 @@ from support import SOURCE
 
 # Of each: how many pictures it shows, and what it prints.
 SHOWS = {
+    "bad_mesh": (2, [r"^\S+ s <= critical step <= \S+ s, for h omega <= 2$", r"^the step grows ([2-9]|\d\d)\.\d times$"]),
+    "error_against_cost": (2, [r"^error +1 %: (verlet|symplectic-euler) with \d+ forces$", r"^error +1e-6: (rkn4|pefrl|rk4) with \d+ forces$"]),
     "bar_run": (3, [r"^\d.* s <= critical step <= \d.* s\ntet4 element 0:\d+", r"^step \d+, t = \S+ s: violated: h = ",
                     r"^(?:violated|unstable) since "]),
     "which_handler": (2, [r"^24 of 1280 elements forbid three times that step$", r"^imex +\S+ of the time, error +0\.\d\d %, certified$",

@@ -1,5 +1,7 @@
 """What the pictures show is in the results; without matplotlib one line says what is missing."""
+import html
 import pathlib
+import re
 import subprocess
 import sys
 from typing import Any
@@ -59,6 +61,13 @@ def test_a_run(pyplot: Any, tmp_path: pathlib.Path) -> None:
     assert sorted(begun) == sorted(event["time"] for event in result.summary["events"])
     ax.figure.savefig(tmp_path / "run.png")
     assert (tmp_path / "run.png").stat().st_size > 5000
+
+
+def test_the_page_in_a_notebook(tmp_path: pathlib.Path) -> None:
+    pytest.importorskip("IPython")
+    result = rw.run(SECTIONS, out=tmp_path / "run")
+    [page] = re.findall('srcdoc="([^"]*)"', result.show().data)
+    assert html.unescape(page) == (tmp_path / "run/report.html").read_text(encoding="utf-8")
 
 
 def test_runs_without_bracket(pyplot: Any, tmp_path: pathlib.Path) -> None:

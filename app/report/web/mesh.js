@@ -84,6 +84,9 @@ export async function startMesh(report, place, stepField, before) {
   const runsStep = make('button', {type: 'button', onclick: () => setThreshold(frame.h)}, `Below the ${report.stepName}`);
   const noElements = make('button', {type: 'button', onclick: () => { selected = -1; setThreshold(0); }}, 'Whole surface');
   const home = make('button', {type: 'button', onclick: () => { look(); draw(); }}, 'Look at all of it');
+  const frameTime = 120;  // ms: motion is seen, and a frame can still be read
+  let plays = 0;  // how often the button was pressed: odd while frames follow one another
+  const playButton = make('button', {type: 'button', onclick: play}, 'Play');
   const status = make('p', {class: 'readout', role: 'status'}, 'Click an element for its numbers.');
   const legend = make('p', {class: 'legend'});
   const controls = make('div', {class: 'controls'}, fieldSelect.element, clipAxis.element, clipSlider.element);
@@ -93,7 +96,7 @@ export async function startMesh(report, place, stepField, before) {
   }
   if (stepField) controls.prepend(thresholdSlider.element);
   const view = make('div', {class: 'view'}, canvas);
-  place.append(view, legend, make('div', {class: 'buttons'}, ...(stepField && frames.some(f => f.h > 0) ? [runsStep] : []), noElements, home), controls, status);
+  place.append(view, legend, make('div', {class: 'buttons'}, ...(frames.length > 1 ? [playButton] : []), ...(stepField && frames.some(f => f.h > 0) ? [runsStep] : []), noElements, home), controls, status);
   fieldName = stepField && fields.includes(stepField) ? stepField : fields[0] || '';
   fieldSelect.input.value = fieldName;
 
@@ -120,6 +123,14 @@ export async function startMesh(report, place, stepField, before) {
   function show(index) {
     busy = busy.then(() => showNow(index));
     return busy;
+  }
+  async function play() {
+    const mine = ++plays;
+    playButton.textContent = mine % 2 ? 'Pause' : 'Play';
+    while (mine % 2 && mine === plays) {
+      await show((Number(frameSlider.input.value) + 1) % frames.length);
+      await new Promise(done => setTimeout(done, frameTime));
+    }
   }
   async function showNow(index) {
     const next = frames[index];

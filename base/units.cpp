@@ -1,4 +1,4 @@
-#include <ringwatch/app/scene/units.h>
+#include <ringwatch/base/units.h>
 
 #include <algorithm>
 #include <iterator>
@@ -85,14 +85,6 @@ std::string labelledColumns(const std::string& head, Units system) {
 std::string unitNamed(const std::string& si) {
   const std::string named = labelled("0 " + si);
   return named.substr(std::min<std::size_t>(2, named.size()));
-}
-
-nlohmann::ordered_json labelled(nlohmann::ordered_json json) {
-  if (json.is_string()) return labelled(json.get<std::string>());
-  if (json.is_structured())
-    for (const auto& [key, value] : json.items())
-      if (key != "scene" && key != "provenance") value = labelled(std::move(value));
-  return json;
 }
 
 }  // namespace ringwatch

@@ -1,13 +1,11 @@
 #pragma once
 #include <string>
 
-#include <nlohmann/json.hpp>
-
 #include <ringwatch/base/name_table.h>
 
 namespace ringwatch {
 
-/// Consistent systems of units: what the numbers of a scene and of its results are called. No number is converted.
+/// Consistent systems of units: what numbers and results are called. No number is converted.
 enum class Units { si, mmTonneSecond, mmKilogramMillisecond, cmGramMicrosecond, none };
 inline constexpr auto unitSystems = nameTable<Units>({
     {Units::si, "SI", "m, kg, s, N, Pa, J"},
@@ -34,7 +32,5 @@ std::string labelled(const std::string& text, Units system = usedUnits());
 std::string labelledColumns(const std::string& head, Units system = usedUnits());
 /// The name of a unit: "ms" for "s"; "" where none is named.
 std::string unitNamed(const std::string& si);
-/// labelled() of every text in JSON but the scene's and the provenance's; keys stay.
-nlohmann::ordered_json labelled(nlohmann::ordered_json json);
 
 }  // namespace ringwatch
