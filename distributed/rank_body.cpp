@@ -5,14 +5,10 @@
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/meshes/part_of_mesh.h>
-#include <ringwatch/monitor/energy_balance.h>
 
 namespace ringwatch {
 
-RankBody::RankBody(const Body& whole, const Partition& partition, int rank, int threads)
-    : mostNodes_(whole.mostNodesOfAnElement()),
-      roundingEnergy_(ringwatch::roundingEnergy(whole)),
-      meanElementVolume_(whole.volume() / static_cast<double>(whole.elementCount())) {
+RankBody::RankBody(const Body& whole, const Partition& partition, int rank, int threads) {
   if (whole.discreteForces()) throw InputError("springs and contact are not distributed over ranks");
   if (whole.elementDamping()) throw InputError("elements that damp are not distributed over ranks");
   if (partition.ofNode.size() != static_cast<std::size_t>(whole.nodeCount()))
@@ -86,9 +82,7 @@ void RankBody::nameElementsBy(const std::vector<std::vector<std::int32_t>>& numb
 }
 
 RankBody::RankBody(RankPart part, std::vector<std::unique_ptr<ElementBlock>> blocks, Eigen::VectorXd lumpedMass,
-                   double roundingEnergy, int threads)
-    : roundingEnergy_(roundingEnergy) {
-  for (const MeshBlock& block : part.mesh.blocks) mostNodes_ = std::max(mostNodes_, block.nodesPerElement());
+                   int threads) {
   take(std::move(part), std::move(blocks), std::move(lumpedMass), threads);
 }
 

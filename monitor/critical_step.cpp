@@ -6,11 +6,13 @@
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/body/discrete_forces.h>
+#include <ringwatch/body/domain.h>
 #include <ringwatch/monitor/bounds/exchange_bound.h>
 #include <ringwatch/monitor/bounds/lowest_mode.h>
 #include <ringwatch/monitor/bounds/nodal_bound.h>
 #include <ringwatch/monitor/bounds/top_mode.h>
 #include <ringwatch/monitor/critical_step_tiers.h>
+#include <ringwatch/monitor/incremental/part_bracket.h>
 
 namespace ringwatch {
 namespace {
@@ -37,6 +39,13 @@ CriticalStep criticalStepInTiers(const Body& body, NodeVectorsView x, const Step
                                  const BracketListener& listener) {
   requireProof(limit);
   body.checkNodal("x", x);
+  if (!body.domain().whole()) {
+    if (lanczos) throw InputError("a step that is safe with a probability: is not computed on a part of a body");
+    std::int64_t spent = 0;
+    const CriticalStep step = criticalStepOfParts(body, x, limit, evaluations ? *evaluations : spent);
+    if (!step.isBracket()) throw NumericalError("the sides of the bracket cross by rounding");
+    return step;
+  }
   const auto count = [&](std::int64_t spent) {
     if (evaluations) *evaluations += spent;
   };

@@ -22,7 +22,8 @@ struct LanczosOptions {
 /// also CriticalStep::probable (Theorem 6), which is far tighter than the proven side on regular grids.
 /// x: 3×N, m. limit: the integrator's largest stable h·omega, or a proven rule. Unless nullptr, the element evaluations
 /// that it took are added to `evaluations`. Throws InputError for a rule that is not proven and when x is not 3×N;
-/// NumericalError where the tangent is not finite.
+/// NumericalError where the tangent is not finite. On a part of a body (body/domain.h) the nodal bound and a Rayleigh
+/// quotient alone, without `lanczos`; all processes get the same, and each adds its own evaluations. Collective.
 CriticalStep criticalStep(const Body& body, NodeVectorsView x, const StepRule& limit,
                           const std::optional<LanczosOptions>& lanczos = std::nullopt,
                           std::int64_t* evaluations = nullptr);

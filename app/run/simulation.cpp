@@ -33,11 +33,11 @@ Simulation::Simulation(const Scene& s, Body& b, const RunOptions& o)
       body(b),
       options(o),
       rule(sceneStepRule(s, b)),
-      energies(s, b, o.part ? o.part->roundingEnergy : roundingEnergy(b)),
+      energies(s, b, roundingEnergy(b)),
       steps(s),
       loads(o.part ? std::move(*o.part->loads) : TimedLoads(s, b)),
       recorder(s, result),
-      watch(s, b, rule, result, o.part ? o.part->monitor : nullptr),
+      watch(s, b, rule, result),
       probes(s, b, rule) {
   result.probes = probes.columns();
   result.notes = options.notes;
@@ -104,9 +104,9 @@ std::int64_t Simulation::stepsToObservation(std::int64_t k) {
   return count;
 }
 
-std::optional<CriticalStep> Simulation::criticalStepHere() const {
+std::optional<CriticalStep> Simulation::criticalStepHere(std::int64_t* evaluations) const {
   try {
-    return criticalStep(body, state.x, rule);
+    return criticalStep(body, state.x, rule, std::nullopt, evaluations);
   } catch (const NumericalError&) {
     return std::nullopt;
   }
@@ -224,9 +224,8 @@ bool Simulation::chooseStep(MonitorReport& report) {
     fault = steps.choose(report, state.time, [this](MonitorReport& fresh) {
       const Stopwatch measured(result.monitorTime);
       fresh.fresh = true;
-      if (watch.prove(state, steps.step(), fresh)) return;
-      fresh.bracket = criticalStepHere();
-      fresh.elementsRefreshed = static_cast<std::int64_t>(body.mesh().elementCount());
+      fresh.elementsRefreshed = 0;
+      fresh.bracket = criticalStepHere(&fresh.elementsRefreshed);
     });
   };
   // The first step of "auto" may be out of all proportion to the end, which one process tells for all.

@@ -1,18 +1,18 @@
 #pragma once
 #include <vector>
 
-#include <ringwatch/distributed/halo.h>
+#include <ringwatch/body/body.h>
 #include <ringwatch/monitor/bounds.h>
 
 namespace ringwatch {
 
-/// A vector that is kept near the mode of the highest frequency, and its Rayleigh quotient: a proven lower bound of the
-/// highest eigenvalue of M⁻¹K, whatever the vector (Theorems 8 and 44). Sums over nodes are exact (ExactSum), so that
-/// the vector and the bound have the same bits for any partition. Collective.
-class RankMode {
+/// A vector on a part of a body (body/domain.h) that is kept near the mode of the highest frequency, and its Rayleigh
+/// quotient: a proven lower bound of the highest eigenvalue of M⁻¹K, whatever the vector (Theorems 8 and 44). Sums over
+/// nodes are exact (ExactSum), so that the vector and the bound have the same bits for any partition. Collective.
+class PartMode {
  public:
-  /// All of them must outlive this.
-  RankMode(Ranks& ranks, Halo& halo, const RankBody& part);
+  /// The body must outlive this.
+  explicit PartMode(const Body& body);
 
   /// Searches the mode at x (3×N, m, ghosts as their owners have them) with so many tangent products, by the locally
   /// optimal conjugate gradient method (Knyazev 2001, LOBPCG with one vector) from the vector kept, at first from a
@@ -22,8 +22,6 @@ class RankMode {
   /// not zero, one reduction, no exchange.
   LowerBound bound(NodeVectorsView x);
   bool found() const { return norm2_ > 0; }
-  /// Forgets the vector, where it is not finite.
-  void reset() { norm2_ = 0; }
 
  private:
   /// M^-½ K M^-½ y of free components at owned nodes; ghosts are zero.
@@ -33,9 +31,9 @@ class RankMode {
   /// Which patches have a node where u is not zero.
   void findActive();
 
-  Ranks& ranks_;
-  Halo& halo_;
-  const RankBody& part_;
+  const Body& body_;
+  Domain& domain_;
+  Eigen::Index owned_;
   NodeVectors inverseRootMass_;            // zero in constrained components
   NodeVectors mode_;                       // mass-scaled, as the last search left it
   NodeVectors u_;                          // M^-½ mode_, cut, with ghosts
