@@ -2,11 +2,17 @@
 
 #include <array>
 
+#include <ringwatch/meshes/all_finite.h>
+
 namespace ringwatch {
 
 Domain& wholeDomain() {
   static Domain whole;
   return whole;
+}
+
+bool ownFinite(const Body& body, NodeVectorsView values) {
+  return allFinite(NodeVectorsView(values.data(), body.domain().owned(values.cols())), body.threads());
 }
 
 SizeOfWhole sizeOfWhole(const Body& body) {

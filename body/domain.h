@@ -78,6 +78,9 @@ struct SizeOfWhole {
 /// Collective, as all of Domain.
 SizeOfWhole sizeOfWhole(const Body& body);
 
+/// Whether values, 3×N, are finite at the nodes of the part that are its own.
+bool ownFinite(const Body& body, NodeVectorsView values);
+
 /// a·b at a node, rounded alike wherever its column lies: a compiler may fuse an expression in some places only.
 inline double dotAt(const NodeVectors& a, const NodeVectors& b, Eigen::Index node) {
   return std::fma(a(0, node), b(0, node), std::fma(a(1, node), b(1, node), a(2, node) * b(2, node)));

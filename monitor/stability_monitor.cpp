@@ -7,7 +7,6 @@
 #include <ringwatch/base/archive.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/body/domain.h>
-#include <ringwatch/meshes/all_finite.h>
 #include <ringwatch/monitor/element_cause.h>
 #include <ringwatch/monitor/energy_check.h>
 #include <ringwatch/monitor/incremental/part_bracket.h>
@@ -220,10 +219,7 @@ const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, N
   report.elementsRefreshed = 0;
   report.spent = {};
 
-  const auto finite = [&](NodeVectorsView all) {
-    return allFinite(NodeVectorsView(all.data(), m.body.domain().owned(all.cols())), m.body.threads());
-  };
-  m.finite = finite(x) && finite(v);
+  m.finite = ownFinite(m.body, x) && ownFinite(m.body, v);
   const bool asked = std::exchange(m.evaluatesNext, false),
              wanted = m.observations % m.options.every == 0 || asked || m.unknown || m.bodyVersion != m.body.version();
   if (m.ofPart) {

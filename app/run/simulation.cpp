@@ -14,7 +14,6 @@
 #include <ringwatch/body/discrete_forces.h>
 #include <ringwatch/body/domain.h>
 #include <ringwatch/handlers/angular_momentum.h>
-#include <ringwatch/meshes/all_finite.h>
 
 namespace ringwatch {
 namespace {
@@ -192,7 +191,7 @@ void Simulation::setLoads() {
 
 bool Simulation::acceptState(const MonitorReport& report) {
   if (result.reason != ExitReason::end) return false;
-  const bool finite = watch.isFinite(state);
+  const bool finite = watch.monitors() ? watch.isFinite(state) : isFinite();
   if (!finite)
     end(ExitReason::nonFinite, fmt::format("positions or velocities are not finite after step {}", report.step));
   return finite;
@@ -209,11 +208,7 @@ bool Simulation::stopsAt(const MonitorReport& report) const {
 }
 
 bool Simulation::isFinite() const {
-  const Eigen::Index owned = body.domain().owned(state.x.cols());
-  const auto finite = [&](const NodeVectors& all) {
-    return allFinite(NodeVectorsView(all.data(), owned), body.threads());
-  };
-  double isNot = finite(state.x) && finite(state.v) ? 0 : 1;
+  double isNot = ownFinite(body, state.x) && ownFinite(body, state.v) ? 0 : 1;
   body.domain().largest({&isNot, 1});
   return isNot == 0;
 }
