@@ -79,6 +79,14 @@ struct StabilityMonitor::Impl {
     else
       present({.kind = EventKind::inverted, .value = least.value, .element = least.element}, x);
   }
+  /// lowest: a value, rad²/s², and an element.
+  template <class Lowest>
+  void tellIndefinite(const Lowest& lowest, NodeVectorsView x) {
+    if (lowest.value < 0)
+      present({.kind = EventKind::indefinite, .value = lowest.value, .element = lowest.element}, x);
+    else
+      absent(EventKind::indefinite);
+  }
   /// Nothing is known of this state: what was known of an earlier one is dropped, and the next finite one is evaluated.
   void forget() {
     report.bracket.reset();
@@ -99,6 +107,7 @@ struct StabilityMonitor::Impl {
       report.certified = ofPart->certified();
       report.elementsRefreshed = ofPart->evaluated();
       tellInverted(ofPart->leastDeterminant(), x);
+      tellIndefinite(ofPart->lowest(), x);
     }
     if (bracket) {
       bool certified = false, bracketed = true;
@@ -140,11 +149,7 @@ struct StabilityMonitor::Impl {
           unknown ? body.leastDeterminant(x, Body::Among::whereInversionIsAnError)
                   : Body::LeastDeterminant{statistics.leastDeterminant, statistics.leastDeterminantElement};
       tellInverted(least, x);
-      const RunBracket::LowestRing& lowest = bracket->lowestRing();
-      if (lowest.value < 0)
-        present({.kind = EventKind::indefinite, .value = lowest.value, .element = lowest.element}, x);
-      else
-        absent(EventKind::indefinite);
+      tellIndefinite(bracket->lowestRing(), x);
     }
     if (!options.metric.empty()) {
       report.metricStep = (1 - options.margin) * options.limit(metric->highest(x));

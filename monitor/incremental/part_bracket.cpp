@@ -9,9 +9,8 @@
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/infinity.h>
-#include <ringwatch/base/rounding.h>
 #include <ringwatch/body/domain.h>
-#include <ringwatch/body/nodes_of.h>
+#include <ringwatch/monitor/incremental/run_bracket.h>
 
 namespace ringwatch {
 namespace {
@@ -22,6 +21,8 @@ constexpr int coldProducts = 40, warmProducts = 10;
 constexpr int sweepsFromScratch = 24, productsFromScratch = 120;
 /// The certified eigenvalue above the last renewal's from which all elements are evaluated again: 2.5 % of the step.
 constexpr double mostRaised = 1.05;
+/// Growth of compression that asks for a search: less than BracketPolicy's, whose rings are examined between searches.
+constexpr double growthOfCompression = 1.1;
 /// Left below the eigenvalue of a step that is to be proven, so that rounding does not make it less than the step.
 constexpr double belowWanted = 1e-9;
 
@@ -50,9 +51,14 @@ ElementRef controllingElement(const Body& body, const NodalBound& weights) {
 }
 
 CriticalStep bracketOf(double safe, std::string_view safeBy, LowerBound lower, const StepRule& limit,
-                       ElementRef controlling) {
-  return {safe, optimisticStep(lower, limit), controlling, safeBy, "rayleigh-quotient", 0, controlling};
+                       ElementRef controlling, const LowestMode& lowest) {
+  return {safe,          optimisticStep(lower, limit), controlling,
+          safeBy,        "rayleigh-quotient",          std::min(lowest.value, 0.0),
+          lowest.element};
 }
+
+/// What the vector proves at x.
+double quotientOf(PartMode& soft, NodeVectorsView x) { return -soft.bound(x).value; }
 
 }  // namespace
 
@@ -62,33 +68,28 @@ PartBracket::PartBracket(const Body& body, double width, bool threshold)
       threshold_(threshold),
       certificate_(body),
       mode_(body),
+      soft_(body, PartMode::End::lowest),
       refreshes_(policy_.refreshes),
-      rebuilds_(policy_.rebuilds) {}
+      rebuilds_(policy_.rebuilds),
+      searches_(BracketPolicy{}.searches) {}
 
-PartBracket::Found PartBracket::checkElements(NodeVectorsView x, StepEvaluation& evaluation) {
-  Found found;
-  std::vector<ElementRef> outside = certificate_.elementsOutsideBall(x, &evaluation);
-  std::vector<ElementRef> evaluated;
-  for (const RunCertificate::Leaver& leaver : certificate_.growBalls(x, outside)) evaluated.push_back(leaver.element);
+bool PartBracket::checkElements(NodeVectorsView x, StepEvaluation& evaluation) {
+  std::vector<ElementRef> evaluated, raised;
+  for (const RunCertificate::Leaver& leaver :
+       certificate_.growBalls(x, certificate_.elementsOutsideBall(x, &evaluation)))
+    evaluated.push_back(leaver.element);
   std::vector<RunCertificate::Reference> now;
   certificate_.evaluate(x, evaluated, false, now);
-  std::vector<ElementRef> raised;
+  bool finite = true;
   for (std::size_t i = 0; i < evaluated.size(); ++i) {
     // Values are kept in single precision.
-    if (!(now[i].value <= static_cast<double>(std::numeric_limits<float>::max()))) found.finite = false;
-    if (now[i].value <= certificate_.allowance(evaluated[i])) continue;
-    raised.push_back(evaluated[i]);
-    certificate_.setAllowance(evaluated[i],
-                              certificate_.value(evaluated[i]) * (1 + policy_.raisedSlack * policy_.slack));
-    certificate_.fitBall(evaluated[i]);
+    finite &= now[i].value <= static_cast<double>(std::numeric_limits<float>::max());
+    if (now[i].value > certificate_.allowance(evaluated[i])) raised.push_back(evaluated[i]);
   }
-  Domain& domain = body_.domain();
+  certificate_.raiseToValues(raised, policy_.raisedSlack * policy_.slack);
+  const Domain& domain = body_.domain();
   evaluated_ = std::count_if(evaluated.begin(), evaluated.end(), [&](ElementRef e) { return domain.counts(e); });
-  for (const std::int32_t node : nodesOfElements(body_, raised))
-    if (node < domain.owned(body_.nodeCount()))
-      found.need = std::max(found.need, largestEigenvalue(certificate_.sumOfAllowances(node)) *
-                                            (1 + allowanceRounding) / body_.lumpedMass()[node]);
-  return found;
+  return finite;
 }
 
 void PartBracket::renew(NodeVectorsView x, bool newWeights, double wanted) {
@@ -113,27 +114,46 @@ void PartBracket::renew(NodeVectorsView x, bool newWeights, double wanted) {
   certificate_.setCertifiedEigenvalue(sigma);
   certificate_.distributeAllowances(x, newWeights);
   provenAtRebuild_ = sigma;
+  compression_ = certificate_.mostCompression();
+  body_.domain().largest({&compression_, 1});
+}
+
+void PartBracket::searchUnderCompression(NodeVectorsView x) {
+  const BracketPolicy policy;
+  searches_.tick();
+  const bool known = lowest_.value < 0;
+  if (known) lowest_.value = quotientOf(soft_, x);
+  const bool grown = compression_ > growthOfCompression * searchedAt_ && searches_.since() >= policy.searchGap,
+             lost = known && !(lowest_.value < 0);
+  if (!(compression_ > policy.slightlyCompressed) || !(grown || lost || searches_.due())) return;
+  soft_.find(x, known ? policy.laterSearch : policy.firstSearch);
+  lowest_.value = quotientOf(soft_, x);
+  if (lowest_.value < 0) lowest_.element = soft_.softestElement(x);
+  searches_.tried(grown);
+  searchedAt_ = grown ? compression_ : std::max(searchedAt_, compression_);
 }
 
 bool PartBracket::test(NodeVectorsView x, bool finite, bool due, StepEvaluation& evaluation,
                        const std::function<void()>& meanwhile) {
   certificate_.statistics() = {};
   evaluated_ = 0;
-  Found found;
+  bool tangentIsFinite = true;
   evaluation.arrival = body_.domain().arrival();
   if (due && started_)
-    found = checkElements(x, evaluation);
+    tangentIsFinite = checkElements(x, evaluation);
   else
     body_.evaluate(x, evaluation, workspace_);
   evaluation.arrival = nullptr;
-  enum : std::size_t { need, notFinite, tangentNotFinite, inverted };
+  enum : std::size_t { needed, notFinite, tangentNotFinite, inverted, compression };
   // The reductions take no infinity.
-  std::array<double, 4> told{found.need, finite ? 0.0 : 1.0, found.finite ? 0.0 : 1.0,
-                             -std::fmin(certificate_.statistics().leastDeterminant, 1e300)};
+  std::array<double, 5> told{sigma(), finite ? 0.0 : 1.0, tangentIsFinite ? 0.0 : 1.0,
+                             -std::fmin(certificate_.statistics().leastDeterminant, 1e300),
+                             certificate_.mostCompression()};
   body_.domain().largest(told, meanwhile);
-  need_ = told[need];
+  certificate_.setCertifiedEigenvalue(told[needed]);
   least_ = -told[inverted];
-  if (told[notFinite] != 0 || (due && (told[tangentNotFinite] != 0 || std::isnan(need_)))) started_ = false;
+  compression_ = told[compression];
+  if (told[notFinite] != 0 || told[tangentNotFinite] != 0 || !std::isfinite(sigma())) started_ = false;
   return told[notFinite] == 0;
 }
 
@@ -152,7 +172,6 @@ void PartBracket::update(NodeVectorsView x, const StepRule& limit, std::optional
     tryRenewal(true);
     rebuilds_.restart();
   } else {
-    if (need_ > sigma()) certificate_.setCertifiedEigenvalue(need_);
     if (!threshold_) lower_ = mode_.bound(x);
     const double before = sigma(), allowed = (1 + width_) * (1 + width_);
     const bool wide = !threshold_ && before > allowed * lower_.value;
@@ -165,12 +184,16 @@ void PartBracket::update(NodeVectorsView x, const StepRule& limit, std::optional
   }
   step_.reset();
   certified_ = 0;
-  if (!started_) return;
+  if (!started_) {
+    lowest_ = {};
+    return;
+  }
+  searchUnderCompression(x);
   certified_ = safeStep(UpperBound{sigma()}, limit);
   // In threshold mode the other side tells how far an uncertified step is from instability.
   if (threshold_ && h && certified_ >= *h) return;
   if (threshold_ && !renewed) lower_ = mode_.bound(x);
-  step_ = bracketOf(certified_, "incremental-nodal-bound", lower_, limit, controlling_);
+  step_ = bracketOf(certified_, "incremental-nodal-bound", lower_, limit, controlling_, lowest_);
   if (!step_->isBracket()) step_.reset();
 }
 
@@ -193,7 +216,17 @@ CriticalStep criticalStepOfParts(const Body& body, NodeVectorsView x, const Step
     throw NumericalError("the tangent is not finite at these positions: there is no critical step");
   PartMode mode(body);
   mode.find(x, productsFromScratch);
-  return bracketOf(safeStep(highest, limit), "nodal-bound", mode.bound(x), limit, controllingElement(body, weights));
+  LowestMode lowest;
+  double moved = x == body.mesh().X ? 0 : 1;  // at rest no element is soft
+  body.domain().largest({&moved, 1});
+  if (moved > 0) {
+    PartMode soft(body, PartMode::End::lowest);
+    soft.find(x, LowestModeSearch::usualProducts);
+    lowest.value = quotientOf(soft, x);
+    if (lowest.value < 0) lowest.element = soft.softestElement(x);
+  }
+  return bracketOf(safeStep(highest, limit), "nodal-bound", mode.bound(x), limit, controllingElement(body, weights),
+                   lowest);
 }
 
 }  // namespace ringwatch

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include <ringwatch/base/backoff.h>
+#include <ringwatch/monitor/bounds/lowest_mode.h>
 #include <ringwatch/monitor/incremental/part_mode.h>
 #include <ringwatch/monitor/incremental/run_certificate.h>
 #include <ringwatch/monitor/step_limit.h>
@@ -16,7 +17,8 @@ namespace ringwatch {
 /// The safe side is an incremental certificate (Theorem 14): allowances of the elements are kept, and elements outside
 /// their validity balls are evaluated again, by every process that has them. One that exceeds its allowance raises it,
 /// and with it the certified eigenvalue (Theorem 21), until evaluating all elements, or new weights, pays. The
-/// optimistic side is the quotient of PartMode's vector. Collective.
+/// optimistic side is the quotient of PartMode's vector. Under compression a direction of negative stiffness is
+/// searched (Theorem 11, docs/theory/rings_and_rayleigh.md). Collective.
 class PartBracket {
  public:
   /// The body must outlive this. threshold: the optimistic side is wanted only while the step is not certified.
@@ -38,18 +40,22 @@ class PartBracket {
   std::int64_t evaluated() const { return evaluated_; }
   /// The least determinant of the elements that were outside their balls at the last test, where it is not positive.
   Body::LeastDeterminant leastDeterminant() const;
+  /// A direction of negative stiffness: uᵀKu / uᵀMu of it at the x of the last update, rad²/s², proven; not negative
+  /// where none is known. The element has the least uᵀK_e u.
+  const LowestMode& lowest() const { return lowest_; }
   /// What is certified, for tests.
   const RunCertificate& certificate() const { return certificate_; }
 
  private:
-  struct Found {
-    double need = 0;  // the certified eigenvalue that raised allowances need
-    bool finite = true;
-  };
-  Found checkElements(NodeVectorsView x, StepEvaluation& evaluation);
+  /// Evaluates the elements that have left their balls, and raises what is too low for them here. False where a tangent
+  /// is not finite.
+  bool checkElements(NodeVectorsView x, StepEvaluation& evaluation);
   /// New values of all elements, with the weights that there are or new ones, and a certificate for `wanted`, or as low
   /// as it pays. Not started where the tangent is not finite.
   void renew(NodeVectorsView x, bool newWeights, double wanted);
+  /// Searches where compression has grown, where the direction that was known has become stiff, and else more and more
+  /// seldom.
+  void searchUnderCompression(NodeVectorsView x);
   double sigma() const { return certificate_.certifiedEigenvalue(); }
 
   const Body& body_;
@@ -57,7 +63,8 @@ class PartBracket {
   bool threshold_;
   RebuildPolicy policy_;
   RunCertificate certificate_;
-  PartMode mode_;
+  PartMode mode_, soft_;
+  LowestMode lowest_;
   Body::Workspace workspace_;
   std::optional<CriticalStep> step_;
   double certified_ = 0;
@@ -65,8 +72,9 @@ class PartBracket {
   double provenAtRebuild_ = 0;  // certified eigenvalue then
   LowerBound lower_{0};
   ElementRef controlling_;
-  double need_ = 0, least_ = 0;  // of all processes at the last test: Found::need, and the least determinant
-  Backoff refreshes_, rebuilds_;
+  double least_ = 0, compression_ = 0;  // of all processes at the last test: determinant, mostCompression()
+  double searchedAt_ = 0;               // compression
+  Backoff refreshes_, rebuilds_, searches_;
   std::int64_t evaluated_ = 0;
 };
 

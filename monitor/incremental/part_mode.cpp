@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <string>
 
 #include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/random.h>
 #include <ringwatch/base/rounding.h>
 #include <ringwatch/body/domain.h>
+#include <ringwatch/monitor/bounds/lowest_mode.h>
 
 namespace ringwatch {
 namespace {
@@ -27,30 +30,36 @@ void combine(const std::array<double, 3>& factors, const std::array<const NodeVe
 
 }  // namespace
 
-PartMode::PartMode(const Body& body) : body_(body), domain_(body.domain()), owned_(domain_.owned(body.nodeCount())) {
-  inverseRootMass_.resize(3, body.nodeCount());
+PartMode::PartMode(const Body& body, End end)
+    : body_(body),
+      domain_(body.domain()),
+      owned_(domain_.owned(body.nodeCount())),
+      sign_(end == End::highest ? 1 : -1) {
+  if (end == End::lowest) return;  // of the tangent, when a search begins
+  scale_.resize(3, body.nodeCount());
   for (std::int32_t i = 0; i < body.nodeCount(); ++i)
     for (int c = 0; c < 3; ++c)
-      inverseRootMass_(c, i) = body.constraints().isConstrained(i, c) ? 0 : 1 / std::sqrt(body.lumpedMass()[i]);
+      scale_(c, i) = body.constraints().isConstrained(i, c) ? 0 : 1 / std::sqrt(body.lumpedMass()[i]);
 }
 
 void PartMode::apply(NodeVectorsView x, const NodeVectors& y, NodeVectors& result) {
-  u_ = y.cwiseProduct(inverseRootMass_);
+  u_ = y.cwiseProduct(scale_);
   domain_.exchange(u_);
   body_.tangentProduct(x, u_, product_, workspace_);
-  result = product_.cwiseProduct(inverseRootMass_);
+  result = sign_ * product_.cwiseProduct(scale_);
   result.rightCols(result.cols() - owned_).setZero();
 }
 
 void PartMode::find(NodeVectorsView x, int products) {
   const Eigen::Index nodes = body_.nodeCount();
+  if (sign_ < 0) scale_ = scaleForSigns(body_, x, workspace_);
   if (mode_.cols() != nodes || norm2_ == 0) {
     mode_.resize(3, nodes);
     for (Eigen::Index i = 0; i < nodes; ++i)
       for (int c = 0; c < 3; ++c) {
         const auto dof =
             static_cast<std::uint64_t>(3 * std::int64_t{domain_.nodeInWhole(static_cast<std::int32_t>(i))} + c);
-        mode_(c, i) = inverseRootMass_(c, i) > 0 ? randomEntry(1, dof) : 0;
+        mode_(c, i) = scale_(c, i) > 0 ? randomEntry(1, dof) : 0;
       }
     mode_.rightCols(nodes - owned_).setZero();
   }
@@ -127,7 +136,7 @@ double PartMode::highestSize(const NodeVectors& y) {
 }
 
 void PartMode::take(const NodeVectors& y, double cut) {
-  u_ = y.cwiseProduct(inverseRootMass_);
+  u_ = y.cwiseProduct(scale_);
   ExactSum norm2;
   for (Eigen::Index i = 0; i < owned_; ++i) {
     if (dotAt(y, y, i) < cut * cut) u_.col(i).setZero();
@@ -151,6 +160,14 @@ void PartMode::findActive() {
   }
 }
 
+ElementRef PartMode::softestElement(NodeVectorsView x) {
+  const SoftElement own = ringwatch::softestElement(body_, x, u_);
+  double most = -std::fmin(own.form, 1e300);  // the reductions take no infinity
+  domain_.largest({&most, 1});
+  std::string none;
+  return domain_.firstFound(own.form == -most ? std::optional(own.element) : std::nullopt, none).value_or(ElementRef());
+}
+
 LowerBound PartMode::bound(NodeVectorsView x) {
   if (!(norm2_ > 0)) return {0};
   const auto activePatch = [&](std::size_t b, std::int32_t p) -> const Patch* {
@@ -172,7 +189,7 @@ LowerBound PartMode::bound(NodeVectorsView x) {
     sums[2].add(rounding_(0, i) * dotAt(u_, u_, i));
   }
   domain_.sum(sums);
-  const double form = sums[0].value() - quotientRounding * sums[1].value() -
+  const double form = sign_ * sums[0].value() - quotientRounding * sums[1].value() -
                       static_cast<double>(body_.mostNodesOfAnElement()) * sums[2].value();
   return {std::max(0.0, form / (norm2_ * (1 + quotientRounding)))};
 }

@@ -11,8 +11,11 @@ namespace ringwatch {
 /// nodes are exact (ExactSum), so that the vector and the bound have the same bits for any partition. Collective.
 class PartMode {
  public:
+  /// Of which eigenvalue of M⁻¹K: the lowest one's mode is searched in the coordinates of LowestModeSearch, and what is
+  /// said of a highest eigenvalue holds of -M⁻¹K.
+  enum class End { highest, lowest };
   /// The body must outlive this.
-  explicit PartMode(const Body& body);
+  explicit PartMode(const Body& body, End end = End::highest);
 
   /// Searches the mode at x (3×N, m, ghosts as their owners have them) with so many tangent products, by the locally
   /// optimal conjugate gradient method (Knyazev 2001, LOBPCG with one vector) from the vector kept, at first from a
@@ -22,9 +25,11 @@ class PartMode {
   /// not zero, one reduction, no exchange.
   LowerBound bound(NodeVectorsView x);
   bool found() const { return norm2_ > 0; }
+  /// The element with the least uᵀKu at x, u the vector, numbered as in the whole.
+  ElementRef softestElement(NodeVectorsView x);
 
  private:
-  /// M^-½ K M^-½ y of free components at owned nodes; ghosts are zero.
+  /// S K S y of free components at owned nodes, or -S K S y; ghosts are zero.
   void apply(NodeVectorsView x, const NodeVectors& y, NodeVectors& result);
   void take(const NodeVectors& y, double cut);
   double highestSize(const NodeVectors& y);
@@ -34,9 +39,10 @@ class PartMode {
   const Body& body_;
   Domain& domain_;
   Eigen::Index owned_;
-  NodeVectors inverseRootMass_;            // zero in constrained components
-  NodeVectors mode_;                       // mass-scaled, as the last search left it
-  NodeVectors u_;                          // M^-½ mode_, cut, with ghosts
+  double sign_;                            // -1: of the lowest eigenvalue
+  NodeVectors scale_;                      // S: M^-½, or scaleForSigns(); zero in constrained components
+  NodeVectors mode_;                       // as the last search left it
+  NodeVectors u_;                          // S mode_, cut, with ghosts
   double norm2_ = 0;                       // uᵀMu
   std::vector<std::vector<bool>> active_;  // [block][patch]
   NodeVectors product_, rounding_;

@@ -257,8 +257,8 @@ TEST(Distributed, HasTheBitsOfOneRankForAnyPartition) {
   }
 }
 
-/// Highest eigenvalue of M⁻¹K over the free components, by a dense solver.
-double highestEigenvalue(const Body& body, const NodeVectors& x) {
+/// Eigenvalues of M⁻¹K over the free components, by a dense solver.
+Eigen::VectorXd eigenvalues(const Body& body, const NodeVectors& x) {
   const Eigen::MatrixXd K = body.assembleTangent(x);
   std::vector<Eigen::Index> free;
   for (std::int32_t i = 0; i < body.nodeCount(); ++i)
@@ -269,7 +269,7 @@ double highestEigenvalue(const Body& body, const NodeVectors& x) {
     for (std::size_t c = 0; c < free.size(); ++c)
       A(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(c)) =
           K(free[r], free[c]) / std::sqrt(body.lumpedMass()[free[r] / 3] * body.lumpedMass()[free[c] / 3]);
-  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(A, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
+  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(A, Eigen::EigenvaluesOnly).eigenvalues();
 }
 
 TEST(Distributed, BracketsTheDenseEigenvalue) {
@@ -291,7 +291,7 @@ TEST(Distributed, BracketsTheDenseEigenvalue) {
       const MonitorReport& report = parts.step(step, h);
       EXPECT_TRUE(report.bracket.has_value()) << trial.what;
       if (step % 20 == 0 && report.bracket) {
-        const double exact = 2 / std::sqrt(highestEigenvalue(*trial.body, x));
+        const double exact = 2 / std::sqrt(eigenvalues(*trial.body, x).maxCoeff());
         EXPECT_LE(report.bracket->safe, exact) << trial.what << ", step " << step;
         EXPECT_GE(report.bracket->optimistic, exact) << trial.what << ", step " << step;
         // Both sides are near it, or they would be worth nothing.
@@ -306,6 +306,40 @@ TEST(Distributed, BracketsTheDenseEigenvalue) {
     // What has been certified holds at the state, by plain evaluation of every element and node.
     EXPECT_LE(bracket.certificate().verify(parts.state().x), 1e-9) << trial.what;
   }
+}
+
+/// A direction of negative stiffness is found where a dense solver says that there is one, and nowhere else.
+TEST(Distributed, FindsIndefiniteTangents) {
+  for (const char* element : {"tet4", "hex8"})
+    for (const double stretch : {0.6, 0.8, 1.2}) {
+      BarOptions options;
+      options.size = {0.1, 0.05, 0.05};
+      options.cells = {4, 2, 2};
+      options.element = element;
+      options.jitter = 0.1;
+      Trial trial;
+      trial.body = std::make_unique<Body>(generateBar(options), makeMaterial("stvk", 1e6, 0.3, 1000));
+      for (std::int32_t i = 0; i < trial.body->nodeCount(); ++i)
+        if (trial.body->mesh().X(0, i) < 1e-9) trial.body->constraints().fix(i);
+      trial.state = BodySystem(*trial.body).initialState();
+      trial.state.x.row(0) *= stretch;
+      const double least = eigenvalues(*trial.body, trial.state.x).minCoeff();
+      Distributed parts(MPI_COMM_WORLD, trial, worldPartition(trial.body->mesh()), 1, MonitorMode::bracket);
+      const MonitorReport& report = parts.observe(0, 1e-6);
+      const CriticalStep alone = criticalStep(parts.part().body(), parts.state().x, 2.0);
+      ASSERT_TRUE(report.bracket);
+      for (const double found : {report.bracket->lowestRing, alone.lowestRing}) {
+        EXPECT_GE(found, std::min(least, 0.0) * (1 + 1e-9)) << element << ", " << stretch;
+        EXPECT_EQ(found < 0, least < 0) << element << ", " << stretch << ": " << least;
+      }
+      ASSERT_EQ(report.newEvents.size(), least < 0 ? 1u : 0u);
+      if (least < 0) {
+        EXPECT_EQ(report.newEvents[0].kind, EventKind::indefinite);
+        EXPECT_EQ(report.newEvents[0].value, report.bracket->lowestRing);
+        EXPECT_LT(report.newEvents[0].cause->leastStretch, 0.9);
+      }
+      EXPECT_EQ(stretch < 1, least < 0);
+    }
 }
 
 TEST(Distributed, SendsWhatTheModelSays) {

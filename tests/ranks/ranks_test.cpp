@@ -614,6 +614,23 @@ TEST_F(RanksProgram, TellsOfAnUnstableStep) {
   EXPECT_EQ(folder_.read("one/history.csv"), folder_.read("four/history.csv"));
 }
 
+/// A bar that is pressed together has directions of negative stiffness, which ranks find as one process does.
+TEST_F(RanksProgram, TellsOfIndefiniteTangents) {
+  folder_.write("scene.toml", replaced(withoutTables(richScene()), "velocity = [0.2, 0, 0]", "velocity = [-3, 0, 0]"));
+  const std::string settings = " --set monitor.on_violation=warn";
+  ASSERT_EQ(call("run scene.toml --out alone" + settings).status,
+            onRanks(3, "scene.toml --out three" + settings).status);
+  const auto tells = [&](const std::string& folder) {
+    return std::ranges::any_of(json(folder + "/summary.json")["events"], [](const Json& event) {
+      return event["kind"] == "indefinite" && event["value"] < 0 && event["cause"].is_string();
+    });
+  };
+  EXPECT_TRUE(tells("alone"));
+  EXPECT_TRUE(tells("three"));
+  onRanks(1, "scene.toml --out one" + settings);
+  EXPECT_EQ(summaryOf("one"), summaryOf("three"));
+}
+
 TEST_F(RanksProgram, RefusesByOneLine) {
   const std::string plain = withoutTables(richScene());
   folder_.write("scene.toml", replaced(plain, "[damping]\nmass = 2\n", ""));
