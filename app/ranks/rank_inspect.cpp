@@ -24,8 +24,8 @@
 #include <ringwatch/distributed/halo.h>
 #include <ringwatch/distributed/rank_body.h>
 #include <ringwatch/distributed/rank_domain.h>
-#include <ringwatch/distributed/rank_frequency.h>
 #include <ringwatch/meshes/formats/msh_outline.h>
+#include <ringwatch/monitor/bounds/global_frequency.h>
 #include <ringwatch/monitor/critical_step.h>
 #include <ringwatch/monitor/event.h>
 
@@ -65,6 +65,23 @@ CriticalStep bracketOnRanks(Ranks& ranks, RankBody& part, NodeVectorsView x, con
   }
   requireNoFault(ranks, fault);
   return *step;
+}
+
+/// globalFrequency() on every rank, with tangent products that each computes on its part: the same bits as on one
+/// process, since sums at owned nodes have the terms and the order of the whole (Theorem 78,
+/// docs/theory/distribution.md).
+GlobalFrequency globalOnRanks(Ranks& ranks, const RankBody& part, const Body& whole, const NodeVectors& x) {
+  const NodeVectors own = x(Eigen::all, part.globalNodes());
+  NodeVectors v, product;
+  Body::Workspace workspace;
+  return globalFrequency(whole, x, GlobalFrequency::usualTolerance, GlobalFrequency::mostRestarts,
+                         [&](NodeVectorsView ofWhole, NodeVectors& Kv) {
+                           v = ofWhole(Eigen::all, part.globalNodes());
+                           part.body().tangentProduct(own, v, product, workspace);
+                           Kv = gathered(ranks, part, product);
+                           Kv.resize(3, x.cols());
+                           ranks.share(Kv.data(), sizeof(double) * static_cast<std::size_t>(Kv.size()), 0);
+                         });
 }
 
 /// A mesh of which each rank has read a share and holds a part.
@@ -272,7 +289,7 @@ InspectResult inspectOnRanks(Ranks& ranks, const InspectOptions& asked) {
       return bracketOnRanks(ranks, *part, NodeVectors(x(Eigen::all, part->globalNodes())), rule);
     };
     options.globalFrequency = [&](const Body& body, const NodeVectors& x) {
-      return globalFrequency(ranks, *part, body, x);
+      return globalOnRanks(ranks, *part, body, x);
     };
     return inspectMesh(options);
   };
