@@ -1,7 +1,6 @@
 #include <ringwatch/app/ranks/rank_run.h>
 
 #include <algorithm>
-#include <array>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -23,6 +22,7 @@
 #include <ringwatch/app/scene/scene_state.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/body/nodes_of.h>
+#include <ringwatch/distributed/exchange.h>
 #include <ringwatch/distributed/rank_domain.h>
 #include <ringwatch/handlers/imex/implicit_cluster.h>
 
@@ -188,26 +188,19 @@ class RankRun {
   /// Of all ranks, of a run that has come to so many steps. Collective.
   RunResult::Traffic traffic(std::int64_t steps) {
     const Halo::Traffic& own = halo_->traffic();
-    enum : std::size_t { messages, bytes, received, hidden, ghosts, count };
-    std::array<ExactSum, count> sums;  // whole numbers
-    sums[messages].add(static_cast<double>(own.messages));
-    sums[bytes].add(static_cast<double>(own.bytes));
-    sums[received].add(static_cast<double>(own.received));
-    sums[hidden].add(static_cast<double>(own.hidden));
-    sums[ghosts].add(static_cast<double>(part_->ghostNodes()));
-    ranks_.sum(sums);
-    double waited = own.waited;
-    ranks_.largest({&waited, 1});
     RunResult::Traffic all;
     all.ranks = ranks_.size();
     all.exchanges = own.exchanges;
-    all.messages = static_cast<std::int64_t>(sums[messages].value());
-    all.bytes = static_cast<std::int64_t>(sums[bytes].value());
+    all.messages = sumOver(ranks_, own.messages);
+    all.bytes = sumOver(ranks_, own.bytes);
     const std::int64_t before = saved_ ? saved_->parts.at("result").at("steps").get<std::int64_t>() : 0;
-    all.bytesByModel = static_cast<std::int64_t>(sums[ghosts].value()) * 3 * static_cast<std::int64_t>(sizeof(double)) *
-                       (steps - before);
-    if (sums[received].value() > 0) all.hidden = sums[hidden].value() / sums[received].value();
-    all.waited = waited;
+    all.bytesByModel =
+        sumOver(ranks_, part_->ghostNodes()) * 3 * static_cast<std::int64_t>(sizeof(double)) * (steps - before);
+    const auto received = static_cast<double>(sumOver(ranks_, own.received)),
+               hidden = static_cast<double>(sumOver(ranks_, own.hidden));
+    if (received > 0) all.hidden = hidden / received;
+    all.waited = own.waited;
+    ranks_.largest({&all.waited, 1});
     return all;
   }
 
