@@ -12,10 +12,10 @@
 
 #include <ringwatch/distributed/partition.h>
 #include <ringwatch/distributed/rank_domain.h>
-#include <ringwatch/distributed/rank_monitor.h>
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/meshes/generators/generators.h>
 #include <ringwatch/monitor/energy_balance.h>
+#include <ringwatch/monitor/stability_monitor.h>
 
 namespace ringwatch {
 namespace {
@@ -55,17 +55,16 @@ int run(const std::string& kind, double tets, int steps) {
   RankDomain domain(ranks, halo, *part);
   BodySystem system(part->body());
   const std::unique_ptr<Integrator> integrator = makeIntegrator("symplectic-euler");
-  RankMonitor monitor(ranks, halo, *part, {.limit = 2.0, .mode = MonitorMode::threshold});
+  StabilityMonitor monitor(part->body(), {.limit = 2.0, .mode = MonitorMode::threshold});
   state = system.initialState();
   // A wave through the block: the same velocity at a node for any number of ranks.
   for (Eigen::Index i = 0; i < state.v.cols(); ++i)
     state.v.col(i) =
         0.5 * Eigen::Vector3d(std::sin(40 * state.x(1, i)), std::sin(40 * state.x(2, i)), std::sin(40 * state.x(0, i)));
   StepEvaluation evaluation;
-  int asked = 0;
   const auto meanwhile = [&] { system.complete(state, evaluation); };
   double h = 1e-9;  // s, until the first bracket
-  h = 0.5 * monitor.observe(0, 0, state.x, state.v, h, evaluation, asked, meanwhile).certified;
+  h = 0.5 * monitor.observe(0, 0, state.x, state.v, h, &evaluation, meanwhile).certified;
   std::vector<double> setUp{now() - setUpBegan};
   ranks.largest(setUp);
 
@@ -87,11 +86,12 @@ int run(const std::string& kind, double tets, int steps) {
     plain[k] = now() - began;
   }
   bool proven = true;
-  const RankMonitor::Cost before = monitor.cost();
+  double evaluated = 0;  // elements
   const Halo::Traffic sentBefore = halo.traffic();
   for (int k = 0; k < steps; ++k) {
     const double began = now();
-    const MonitorReport& report = monitor.observe(k + 1, state.time, state.x, state.v, h, evaluation, asked, meanwhile);
+    const MonitorReport& report = monitor.observe(k + 1, state.time, state.x, state.v, h, &evaluation, meanwhile);
+    evaluated += static_cast<double>(report.elementsRefreshed);
     proven &= report.verdict == Verdict::certified;
     integrator->advance(system, state, h);
     halo.begin(state.x);
@@ -109,8 +109,7 @@ int run(const std::string& kind, double tets, int steps) {
   ranks.largest(certified);
   const Energies energies = EnergyBalance(part->body()).evaluate(state.x, state.v);
   std::vector<double> most{static_cast<double>(part->elements()), static_cast<double>(part->ghostNodes()),
-                           static_cast<double>(halo.traffic().bytes - sentBefore.bytes) / steps,
-                           static_cast<double>(monitor.cost().evaluated - before.evaluated) / steps};
+                           static_cast<double>(halo.traffic().bytes - sentBefore.bytes) / steps, evaluated / steps};
   ranks.largest(most);
   std::vector<ExactSum> held(1);
   held[0].add(static_cast<double>(part->elements()));

@@ -1,4 +1,7 @@
 #pragma once
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
@@ -26,16 +29,25 @@ class Domain {
   virtual Eigen::Index owned(Eigen::Index nodes) const { return nodes; }
   /// Whether this process counts an element of the part where each is to count once.
   virtual bool counts(ElementRef) const { return true; }
-  /// The number in the whole of an element of the part.
+  /// The number in the whole of an element of the part, and of a node.
   virtual ElementRef inWhole(ElementRef e) const { return e; }
+  virtual std::int32_t nodeInWhole(std::int32_t node) const { return node; }
+  /// The element of the part that has that number in the whole; nothing where it is of other parts.
+  virtual std::optional<ElementRef> here(ElementRef inWhole) const { return inWhole; }
 
-  /// Replaces each number by the largest of all processes; NaN where one is.
-  virtual void largest(std::span<double>) {}
+  /// Replaces each number by the largest of all processes; NaN where one is. meanwhile: called, unless empty, while the
+  /// others are waited for; work that is no collective.
+  virtual void largest(std::span<double>, const std::function<void()>& meanwhile = {}) {
+    if (meanwhile) meanwhile();
+  }
   /// Replaces each sum by that of all processes.
   virtual void sum(std::span<ExactSum>) {}
   /// The first of the elements that processes have found, by block and number in the whole, and as named there; nothing
   /// where none has found one. found: of the part. text: that of the process whose element it is.
   virtual std::optional<ElementRef> firstFound(std::optional<ElementRef> found, std::string& /*text*/) { return found; }
+
+  /// Gives all processes the bytes of the first that has them; where none has, they stay.
+  virtual void share(void* /*data*/, std::size_t /*bytes*/, bool /*has*/) {}
 
   /// Gives ghosts the values of their owners: 3×N, and six numbers a node.
   virtual void exchange(NodeVectors&) {}
@@ -43,6 +55,9 @@ class Domain {
   /// Begins that of 3×N and comes back: the vectors stay where they are until finish().
   virtual void begin(NodeVectors&) {}
   virtual void finish() {}
+  /// For StepEvaluation::arrival: a pass at positions whose exchange is under way finishes it behind the elements that
+  /// need no ghost. nullptr where nothing is under way.
+  virtual NodeArrival* arrival() { return nullptr; }
   /// x with the values of its owners at ghosts, until the next call.
   virtual const NodeVectors& withGhosts(const NodeVectors& x) { return x; }
 
@@ -54,5 +69,21 @@ class Domain {
   /// Does work that is no collective. Where it fails on one process it throws on all.
   virtual void together(const std::function<void()>& work) { work(); }
 };
+
+/// What the elements of all processes come to together.
+struct SizeOfWhole {
+  double volume;  // at rest, m³
+  double elements;
+};
+/// Collective, as all of Domain.
+SizeOfWhole sizeOfWhole(const Body& body);
+
+/// Whether values, 3×N, are finite at the nodes of the part that are its own.
+bool ownFinite(const Body& body, NodeVectorsView values);
+
+/// a·b at a node, rounded alike wherever its column lies: a compiler may fuse an expression in some places only.
+inline double dotAt(const NodeVectors& a, const NodeVectors& b, Eigen::Index node) {
+  return std::fma(a(0, node), b(0, node), std::fma(a(1, node), b(1, node), a(2, node) * b(2, node)));
+}
 
 }  // namespace ringwatch

@@ -5,14 +5,10 @@
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/meshes/part_of_mesh.h>
-#include <ringwatch/monitor/energy_balance.h>
 
 namespace ringwatch {
 
-RankBody::RankBody(const Body& whole, const Partition& partition, int rank, int threads)
-    : mostNodes_(whole.mostNodesOfAnElement()),
-      roundingEnergy_(ringwatch::roundingEnergy(whole)),
-      meanElementVolume_(whole.volume() / static_cast<double>(whole.elementCount())) {
+RankBody::RankBody(const Body& whole, const Partition& partition, int rank, int threads) {
   if (whole.discreteForces()) throw InputError("springs and contact are not distributed over ranks");
   if (whole.elementDamping()) throw InputError("elements that damp are not distributed over ranks");
   if (partition.ofNode.size() != static_cast<std::size_t>(whole.nodeCount()))
@@ -63,7 +59,7 @@ RankBody::RankBody(const Body& whole, const Partition& partition, int rank, int 
   }
   take(std::move(part), std::move(blocks), std::move(mass), threads);
   for (std::int32_t i = 0; i < body_->nodeCount(); ++i) {
-    const std::int32_t node = globalNodes_[i];
+    const std::int32_t node = part_.globalNodes[i];
     for (int c = 0; c < 3; ++c)
       if (whole.constraints().isConstrained(node, c)) {
         if (whole.constraints().moving()) body_->constraints().move(i, c, 1);  // what moves once counts as moving
@@ -74,38 +70,35 @@ RankBody::RankBody(const Body& whole, const Partition& partition, int rank, int 
 }
 
 std::optional<ElementRef> RankBody::localElement(ElementRef global) const {
-  const std::vector<std::int32_t>& held = globalElements_[global.block];
+  const std::vector<std::int32_t>& held = part_.globalElements[global.block];
   const auto found = std::lower_bound(held.begin(), held.end(), global.element);
   if (found == held.end() || *found != global.element) return {};
   return ElementRef(global.block, found - held.begin());
 }
 
 void RankBody::nameElementsBy(const std::vector<std::vector<std::int32_t>>& numbers) {
-  for (std::size_t b = 0; b < globalElements_.size(); ++b)
-    for (std::int32_t& element : globalElements_[b]) element = numbers[b][element];
+  for (std::size_t b = 0; b < numbers.size(); ++b)
+    for (std::int32_t& element : part_.globalElements[b]) element = numbers[b][element];
 }
 
 RankBody::RankBody(RankPart part, std::vector<std::unique_ptr<ElementBlock>> blocks, Eigen::VectorXd lumpedMass,
-                   double roundingEnergy, int threads)
-    : roundingEnergy_(roundingEnergy) {
-  for (const MeshBlock& block : part.mesh.blocks) mostNodes_ = std::max(mostNodes_, block.nodesPerElement());
+                   int threads) {
   take(std::move(part), std::move(blocks), std::move(lumpedMass), threads);
 }
 
 void RankBody::take(RankPart part, Blocks blocks, Eigen::VectorXd mass, int threads) {
-  owned_ = part.ownedNodes;
-  globalNodes_ = std::move(part.globalNodes);
-  globalElements_ = std::move(part.globalElements);
-  neighbours_ = std::move(part.neighbours);
+  body_ = std::make_unique<Body>(std::move(part.mesh), std::move(blocks), std::move(mass), threads);
+  part_ = std::move(part);
+  part_.places = {};
+  part_.byNumber = {};
   std::int64_t patches = 0;
-  for (const auto& block : blocks)
+  for (const auto& block : body_->blocks())
     for (const Patch& patch : block->layout().patches) {
       const auto begin = block->layout().nodes.begin();
       const bool owned = std::all_of(begin + patch.nodeBegin, begin + patch.nodeEnd,
-                                     [this](std::int32_t node) { return node < owned_; });
+                                     [this](std::int32_t node) { return node < ownedNodes(); });
       (owned ? patchesOfOwned_ : patchesWithGhosts_).push_back(patches++);
     }
-  body_ = std::make_unique<Body>(std::move(part.mesh), std::move(blocks), std::move(mass), threads);
 }
 
 }  // namespace ringwatch

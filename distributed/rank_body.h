@@ -19,9 +19,9 @@ class RankBody {
   /// Throws InputError for what is not distributed: springs and contact, and elements that damp.
   RankBody(const Body& whole, const Partition& partition, int rank, int threads = 0);
   /// A part of a mesh that no rank has as a whole, without constraints and loads: with a block for each of the part's
-  /// mesh, the lumped mass of each node, kg, ghosts as their owners have them, and the roundingEnergy of the whole, J.
+  /// mesh, and the lumped mass of each node, kg, ghosts as their owners have them.
   RankBody(RankPart part, std::vector<std::unique_ptr<ElementBlock>> blocks, Eigen::VectorXd lumpedMass,
-           double roundingEnergy, int threads = 0);
+           int threads = 0);
   /// The body refers to itself.
   RankBody(const RankBody&) = delete;
   RankBody& operator=(const RankBody&) = delete;
@@ -29,31 +29,25 @@ class RankBody {
   /// Owned nodes first, by their numbers in the whole; then ghosts, by owner and number.
   const Body& body() const { return *body_; }
   Body& body() { return *body_; }
-  std::int32_t ownedNodes() const { return owned_; }
-  std::int32_t ghostNodes() const { return body_->nodeCount() - owned_; }
-  /// Nodes of an element of the whole, at most.
-  int mostNodesOfAnElement() const { return mostNodes_; }
+  std::int32_t ownedNodes() const { return part_.ownedNodes; }
+  std::int32_t ghostNodes() const { return body_->nodeCount() - ownedNodes(); }
   std::int64_t elements() const { return body_->elementCount(); }
-  /// ringwatch::roundingEnergy of the whole, J.
-  double roundingEnergy() const { return roundingEnergy_; }
   /// The number of a node in the whole.
-  std::int32_t globalNode(std::int32_t node) const { return globalNodes_[node]; }
-  const std::vector<std::int32_t>& globalNodes() const { return globalNodes_; }
+  std::int32_t globalNode(std::int32_t node) const { return part_.globalNodes[node]; }
+  const std::vector<std::int32_t>& globalNodes() const { return part_.globalNodes; }
   /// The element in the whole.
-  ElementRef globalElement(ElementRef e) const { return {e.block, globalElements_[e.block][e.element]}; }
+  ElementRef globalElement(ElementRef e) const { return {e.block, part_.globalElements[e.block][e.element]}; }
   /// The element here that has that number in the whole; nothing where it is not of this part.
   std::optional<ElementRef> localElement(ElementRef global) const;
-  /// Mean volume of the elements of the whole, m³; 0 where no rank has had the whole.
-  double meanElementVolume() const { return meanElementVolume_; }
   /// The whole is some elements of a larger body, whose numbers there are given by block, ascending: elements are named
   /// by them from here on.
   void nameElementsBy(const std::vector<std::vector<std::int32_t>>& numbers);
   /// Whether this rank counts the element where each is to count once: the one that owns its first node.
-  bool counts(ElementRef e) const { return body_->blocks()[e.block]->nodesOf(e.element).front() < owned_; }
+  bool counts(ElementRef e) const { return body_->blocks()[e.block]->nodesOf(e.element).front() < ownedNodes(); }
 
   using Neighbour = RankPart::Neighbour;
   /// By rank.
-  const std::vector<Neighbour>& neighbours() const { return neighbours_; }
+  const std::vector<Neighbour>& neighbours() const { return part_.neighbours; }
   /// Patches of the body, counted over all blocks, ascending: those whose nodes are all owned, and those with a ghost.
   const std::vector<std::int64_t>& patchesOfOwned() const { return patchesOfOwned_; }
   const std::vector<std::int64_t>& patchesWithGhosts() const { return patchesWithGhosts_; }
@@ -64,12 +58,7 @@ class RankBody {
   void take(RankPart part, Blocks blocks, Eigen::VectorXd mass, int threads);
 
   std::unique_ptr<Body> body_;  // blocks refer to the mesh's arrays
-  std::int32_t owned_ = 0;
-  int mostNodes_ = 0;
-  double roundingEnergy_ = 0, meanElementVolume_ = 0;
-  std::vector<std::int32_t> globalNodes_;
-  std::vector<std::vector<std::int32_t>> globalElements_;  // [block], ascending
-  std::vector<Neighbour> neighbours_;
+  RankPart part_;               // without its mesh, which the body has
   std::vector<std::int64_t> patchesOfOwned_, patchesWithGhosts_;
 };
 

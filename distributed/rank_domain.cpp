@@ -12,6 +12,10 @@ std::optional<ElementRef> RankDomain::firstFound(std::optional<ElementRef> found
   return first;
 }
 
+void RankDomain::share(void* data, std::size_t bytes, bool has) {
+  if (const int from = ranks_.firstWhere(has); from < ranks_.size()) ranks_.share(data, bytes, from);
+}
+
 const NodeVectors& RankDomain::withGhosts(const NodeVectors& x) {
   halo_.finish();
   withGhosts_ = x;

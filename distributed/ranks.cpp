@@ -25,26 +25,19 @@ std::string Ranks::name() const {
   return joinText("rank ", rank_, " of ", size_, " on ", std::string(machine, static_cast<std::size_t>(length)));
 }
 
-void Ranks::beginLargest(std::span<double> numbers) {
+void Ranks::largest(std::span<double> numbers, const std::function<void()>& meanwhile) {
   ++reductions_;
   // MPI says nothing of NaN. Infinity stands for it: no other number that is reduced can be infinite.
   for (double& number : numbers)
     if (std::isnan(number)) number = infinity;
-  reduced_ = numbers;
-  sent_.assign(numbers.begin(), numbers.end());
-  MPI_Iallreduce(sent_.data(), numbers.data(), static_cast<int>(numbers.size()), MPI_DOUBLE, MPI_MAX, communicator_,
-                 &pending_);
-}
-
-void Ranks::finishLargest() {
-  MPI_Wait(&pending_, MPI_STATUS_IGNORE);
-  for (double& number : reduced_)
+  const std::vector<double> sent(numbers.begin(), numbers.end());
+  MPI_Request pending = MPI_REQUEST_NULL;
+  MPI_Iallreduce(sent.data(), numbers.data(), static_cast<int>(numbers.size()), MPI_DOUBLE, MPI_MAX, communicator_,
+                 &pending);
+  if (meanwhile) meanwhile();
+  MPI_Wait(&pending, MPI_STATUS_IGNORE);
+  for (double& number : numbers)
     if (number == infinity) number = std::numeric_limits<double>::quiet_NaN();
-}
-
-void Ranks::largest(std::span<double> numbers) {
-  beginLargest(numbers);
-  finishLargest();
 }
 
 void Ranks::sum(std::span<ExactSum> sums) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -26,11 +27,9 @@ class Ranks {
   /// "rank 3 of 8 on node17", counted from 0.
   std::string name() const;
 
-  /// Replaces each number by the largest of all ranks; NaN where one is.
-  void largest(std::span<double> numbers);
-  /// The same, begun here and ended by finish(); `numbers` must stay as it is until then.
-  void beginLargest(std::span<double> numbers);
-  void finishLargest();
+  /// Replaces each number by the largest of all ranks; NaN where one is. meanwhile: called, unless empty, while the
+  /// others are waited for.
+  void largest(std::span<double> numbers, const std::function<void()>& meanwhile = {});
   /// Replaces each sum by that of all ranks, the same bits on each, whoever had which terms.
   void sum(std::span<ExactSum> sums);
   /// The least of all ranks.
@@ -52,9 +51,6 @@ class Ranks {
   MPI_Comm communicator_;
   int rank_ = 0, size_ = 1, onThisMachine_ = 1;
   std::int64_t reductions_ = 0;
-  MPI_Request pending_ = MPI_REQUEST_NULL;
-  std::span<double> reduced_;
-  std::vector<double> sent_;
 };
 
 }  // namespace ringwatch

@@ -3,10 +3,10 @@
 
 #include <ringwatch/distributed/partition.h>
 #include <ringwatch/distributed/rank_domain.h>
-#include <ringwatch/distributed/rank_monitor.h>
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/meshes/generators/generators.h>
 #include <ringwatch/monitor/energy_balance.h>
+#include <ringwatch/monitor/stability_monitor.h>
 
 namespace {
 
@@ -28,13 +28,12 @@ int run() {
   RankDomain domain(ranks, halo, part);
   BodySystem system(part.body());
   const std::unique_ptr<Integrator> integrator = makeIntegrator("symplectic-euler");
-  RankMonitor monitor(ranks, halo, part, {.limit = integrator->info().imaginaryLimit});
+  StabilityMonitor monitor(part.body(), {.limit = integrator->info().imaginaryLimit});
   State state = system.initialState();
   StepEvaluation evaluation;
   double h = 1e-4;
   for (int step = 0; step < 200; ++step) {
-    int asked = 0;
-    const MonitorReport& report = monitor.observe(step, state.time, state.x, state.v, h, evaluation, asked,
+    const MonitorReport& report = monitor.observe(step, state.time, state.x, state.v, h, &evaluation,
                                                   [&] { system.complete(state, evaluation); });
     if (!report.bracket) return 1;  // the state is no longer finite, and no step helps
     if (report.verdict != Verdict::certified) h = 0.9 * report.bracket->safe;

@@ -6,10 +6,12 @@
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/body/discrete_forces.h>
+#include <ringwatch/body/domain.h>
 #include <ringwatch/monitor/bounds/exchange_bound.h>
 #include <ringwatch/monitor/bounds/lowest_mode.h>
 #include <ringwatch/monitor/bounds/nodal_bound.h>
 #include <ringwatch/monitor/bounds/top_mode.h>
+#include <ringwatch/monitor/incremental/part_bracket.h>
 
 namespace ringwatch {
 namespace {
@@ -30,6 +32,14 @@ CriticalStep criticalStep(const Body& body, NodeVectorsView x, const StepRule& l
                           const CriticalStepOptions& options) {
   requireProof(limit);
   body.checkNodal("x", x);
+  if (!body.domain().whole()) {
+    if (options.lanczos)
+      throw InputError("a step that is safe with a probability: is not computed on a part of a body");
+    std::int64_t spent = 0;
+    const CriticalStep step = criticalStepOfParts(body, x, limit, options.evaluations ? *options.evaluations : spent);
+    if (!step.isBracket()) throw NumericalError("the sides of the bracket cross by rounding");
+    return step;
+  }
   const auto count = [&](std::int64_t spent) {
     if (options.evaluations) *options.evaluations += spent;
   };

@@ -36,7 +36,9 @@ struct CriticalStepOptions {
 /// to twenty times as long. Optimistic side: reduced 1-rings and Rayleigh quotients (Theorems 9 and 8,
 /// docs/theory/rings_and_rayleigh.md). From eigenvalue to step: Theorem 27, docs/theory/integrators.md.
 /// x: 3×N, m. limit: the integrator's largest stable h·omega, or a proven rule. Throws InputError for a rule that is
-/// not proven and when x is not 3×N; NumericalError where the tangent is not finite.
+/// not proven and when x is not 3×N; NumericalError where the tangent is not finite. On a part of a body
+/// (body/domain.h) the nodal bound and a Rayleigh quotient alone, without `lanczos`, whatever the width; all processes
+/// get the same, and each adds its own evaluations. Collective.
 CriticalStep criticalStep(const Body& body, NodeVectorsView x, const StepRule& limit,
                           const CriticalStepOptions& options = {});
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <sstream>
 
 #include <Eigen/LU>
@@ -9,6 +10,7 @@
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/infinity.h>
+#include <ringwatch/body/domain.h>
 #include <ringwatch/meshes/jacobian.h>
 #include <ringwatch/monitor/element_strain.h>
 
@@ -22,20 +24,8 @@ std::string twoDigits(double value) {
   return text.str();
 }
 
-}  // namespace
-
-bool ElementCause::badlyShaped() const {
-  // What a hexahedron, wedge or pyramid must exceed.
-  constexpr double sharp = 30, flat = 150, slender = 5;
-  if (shape.shape != ShapeClass::other) return shape.shape != ShapeClass::round;
-  return shape.minDihedral < sharp || shape.maxDihedral > flat || shape.aspect > slender;
-}
-
-ElementCause elementCause(const Body& body, NodeVectorsView x, ElementRef element) {
-  return elementCause(body, x, element, body.volume() / static_cast<double>(body.mesh().elementCount()));
-}
-
-ElementCause elementCause(const Body& body, NodeVectorsView x, ElementRef element, double meanVolume) {
+/// element: of the part.
+ElementCause causeHere(const Body& body, NodeVectorsView x, ElementRef element, double meanVolume) {
   const Mesh& mesh = body.mesh();
   const NodeVectors& X = mesh.X;
   const std::size_t b = element.block;
@@ -56,6 +46,24 @@ ElementCause elementCause(const Body& body, NodeVectorsView x, ElementRef elemen
     cause.leastStretch = std::min(cause.leastStretch, stretches[2]);
   }
   cause.shape = elementShape(mesh.blocks[b], element.element, X, meanVolume);
+  return cause;
+}
+
+}  // namespace
+
+bool ElementCause::badlyShaped() const {
+  // What a hexahedron, wedge or pyramid must exceed.
+  constexpr double sharp = 30, flat = 150, slender = 5;
+  if (shape.shape != ShapeClass::other) return shape.shape != ShapeClass::round;
+  return shape.minDihedral < sharp || shape.maxDihedral > flat || shape.aspect > slender;
+}
+
+ElementCause elementCause(const Body& body, NodeVectorsView x, ElementRef element) {
+  const SizeOfWhole size = sizeOfWhole(body);
+  const std::optional<ElementRef> here = body.domain().here(element);
+  ElementCause cause;
+  if (here) cause = causeHere(body, x, *here, size.volume / size.elements);
+  body.domain().share(&cause, sizeof cause, here.has_value());
   return cause;
 }
 

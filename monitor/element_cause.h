@@ -16,10 +16,8 @@ struct ElementCause {
   bool badlyShaped() const;
 };
 
-/// The cause at positions x (3×N, m).
+/// The cause at positions x (3×N, m). element: numbered as in the whole body. Collective (body/domain.h).
 ElementCause elementCause(const Body& body, NodeVectorsView x, ElementRef element);
-/// The same in a part of a body, whose elements have that volume on average, m³.
-ElementCause elementCause(const Body& part, NodeVectorsView x, ElementRef element, double meanVolume);
 
 /// In a few words: the largest departure from rest ("inverted, det F = -0.31", "stretched 1.6", "compressed
 /// to 0.62", from 5 % on), and a bad shape ("needle, 0.4° dihedral", "small"); "well shaped, unstrained" when it is

@@ -26,22 +26,14 @@ double dot(const NodeVectors& a, const NodeVectors& b, int threads) {
   });
 }
 
-/// a·b, rounded alike for every node, wherever its column lies: a compiler may fuse an expression in some places only.
-double dotAt(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  return std::fma(a[0], b[0], std::fma(a[1], b[1], a[2] * b[2]));
-}
-
 }  // namespace
 
-double roundingEnergy(double modulus, double volume) {
-  constexpr double strain = 1e-12;
-  return strain * strain * modulus * volume;
-}
-
 double roundingEnergy(const Body& body) {
+  constexpr double strain = 1e-12;
   double modulus = 0;
   for (const auto& block : body.blocks()) modulus = std::max(modulus, block->material().restModulus());
-  return roundingEnergy(modulus, body.volume());
+  body.domain().largest({&modulus, 1});
+  return strain * strain * modulus * sizeOfWhole(body).volume;
 }
 
 EnergyBalance::EnergyBalance(const Body& body)
@@ -100,7 +92,7 @@ void EnergyBalance::recordGuided(const NodeVectors& x, const NodeVectors& intern
 Eigen::VectorXd EnergyBalance::power(const NodeVectors& a, const NodeVectors& b) const {
   if (body_.domain().whole()) return Eigen::VectorXd::Constant(1, dot(a, b, body_.threads()));
   Eigen::VectorXd ofNode = Eigen::VectorXd::Zero(work_.size());
-  for (std::int32_t i = 0; i < owned_; ++i) ofNode[i] = dotAt(a.col(i), b.col(i));
+  for (std::int32_t i = 0; i < owned_; ++i) ofNode[i] = dotAt(a, b, i);
   return ofNode;
 }
 
@@ -162,7 +154,7 @@ Energies EnergyBalance::sumsOfParts(const NodeVectors& x, const NodeVectors& v) 
   enum : std::size_t { kinetic, strain, external, dissipated };
   std::array<ExactSum, 4> sums;
   for (std::int32_t i = 0; i < owned_; ++i) {
-    sums[kinetic].add(0.5 * body_.lumpedMass()[i] * dotAt(v.col(i), v.col(i)));
+    sums[kinetic].add(0.5 * body_.lumpedMass()[i] * dotAt(v, v, i));
     double work = work_[i];
     for (int c = 0; c < 3; ++c)
       if (!body_.constraints().isConstrained(i, c))

@@ -17,10 +17,9 @@ struct Energies {
   double dissipated = 0;    // by damping, since the start
 };
 
-/// Energy of the whole body at a strain of 1e-12, J. Less is rounding, whose changes are as large as itself.
+/// Energy of the whole body at a strain of 1e-12, J. Less is rounding, whose changes are as large as itself. Collective
+/// (body/domain.h).
 double roundingEnergy(const Body& body);
-/// The same by the largest modulus of its materials at rest, Pa, and its volume, m³.
-double roundingEnergy(double modulus, double volume);
 
 /// The energy balance of a run. Prescribed motion does work ∫ f · dx, f the internal force at moved nodes, summed by
 /// the trapezoidal rule, and along the guide of a rigid body that of the forces on it; dead forces do f · (x - x at the

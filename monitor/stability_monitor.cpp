@@ -6,9 +6,10 @@
 
 #include <ringwatch/base/archive.h>
 #include <ringwatch/base/error.h>
-#include <ringwatch/meshes/all_finite.h>
+#include <ringwatch/body/domain.h>
 #include <ringwatch/monitor/element_cause.h>
 #include <ringwatch/monitor/energy_check.h>
+#include <ringwatch/monitor/incremental/part_bracket.h>
 #include <ringwatch/monitor/incremental/run_bracket.h>
 
 namespace ringwatch {
@@ -16,7 +17,10 @@ namespace ringwatch {
 struct StabilityMonitor::Impl {
   Impl(const Body& b, const MonitorOptions& o)
       : body(b), options(o), tracker(o.clearObservations), energies(roundingEnergy(b)), bodyVersion(b.version()) {
-    if (o.mode != MonitorMode::metric) bracket.emplace(b, o.width, o.budget, o.steps, o.workInAdvance, o.every);
+    if (!b.domain().whole())
+      ofPart.emplace(b, o.width, o.mode == MonitorMode::threshold);
+    else if (o.mode != MonitorMode::metric)
+      bracket.emplace(b, o.width, o.budget, o.steps, o.workInAdvance, o.every);
     if (!o.metric.empty()) metric = makeMetricEvaluator(o.metric, b);
   }
 
@@ -24,12 +28,14 @@ struct StabilityMonitor::Impl {
   Body::Workspace workspace;
   MonitorOptions options;
   std::optional<RunBracket> bracket;
+  std::optional<PartBracket> ofPart;  // in place of it
   std::unique_ptr<MetricEvaluator> metric;
   MonitorReport report;
   EventTracker tracker;
   EnergyCheck energies;
   std::int64_t observations = 0, bodyVersion = 0;
   bool evaluatesNext = false;
+  bool finite = true;        // the last state
   bool unknown = false;      // the last state had no tangent
   bool hadABracket = false;  // the best proof is for the first one alone
 
@@ -47,6 +53,7 @@ struct StabilityMonitor::Impl {
   }
   template <class Archive>
   void archive(Archive& a) {
+    if (ofPart) throw InputError("saved state: is of a monitor of a whole body, not of a part of one");
     std::vector<std::int64_t> own = kind();
     a(own);
     if (own != kind()) throw InputError("saved state: is of another body, other options or another build");
@@ -72,6 +79,14 @@ struct StabilityMonitor::Impl {
     else
       present({.kind = EventKind::inverted, .value = least.value, .element = least.element}, x);
   }
+  /// lowest: a value, rad²/s², and an element.
+  template <class Lowest>
+  void tellIndefinite(const Lowest& lowest, NodeVectorsView x) {
+    if (lowest.value < 0)
+      present({.kind = EventKind::indefinite, .value = lowest.value, .element = lowest.element}, x);
+    else
+      absent(EventKind::indefinite);
+  }
   /// Nothing is known of this state: what was known of an earlier one is dropped, and the next finite one is evaluated.
   void forget() {
     report.bracket.reset();
@@ -85,6 +100,15 @@ struct StabilityMonitor::Impl {
     report.evaluatedAt = report.step;
     bodyVersion = body.version();
     unknown = false;
+    if (ofPart) {
+      ofPart->update(x, options.limit, h);
+      unknown = !ofPart->finite();
+      report.bracket = ofPart->last();
+      report.certified = ofPart->certified();
+      report.elementsRefreshed = ofPart->evaluated();
+      tellInverted(ofPart->leastDeterminant(), x);
+      tellIndefinite(ofPart->lowest(), x);
+    }
     if (bracket) {
       bool certified = false, bracketed = true;
       const Work before = bracket->spent();
@@ -125,11 +149,7 @@ struct StabilityMonitor::Impl {
           unknown ? body.leastDeterminant(x, Body::Among::whereInversionIsAnError)
                   : Body::LeastDeterminant{statistics.leastDeterminant, statistics.leastDeterminantElement};
       tellInverted(least, x);
-      const RunBracket::LowestRing& lowest = bracket->lowestRing();
-      if (lowest.value < 0)
-        present({.kind = EventKind::indefinite, .value = lowest.value, .element = lowest.element}, x);
-      else
-        absent(EventKind::indefinite);
+      tellIndefinite(bracket->lowestRing(), x);
     }
     if (!options.metric.empty()) {
       report.metricStep = (1 - options.margin) * options.limit(metric->highest(x));
@@ -140,6 +160,8 @@ struct StabilityMonitor::Impl {
 };
 
 StabilityMonitor::StabilityMonitor(const Body& body, const MonitorOptions& options) {
+  if (!options.metric.empty() && !body.domain().whole())
+    throw InputError(joinText("metric = ", options.metric, ": is not computed on a part of a body; leave it out"));
   if (!options.metric.empty() && !findMetric(options.metric))
     evaluateMetric(options.metric, body, body.mesh().X);  // throws
   if (!(options.margin >= 0 && options.margin < 1))
@@ -181,10 +203,13 @@ void StabilityMonitor::load(std::string_view saved) {
   archive.end();
 }
 
+bool StabilityMonitor::stateIsFinite() const { return impl_->finite; }
+
 void StabilityMonitor::evaluateNext() { impl_->evaluatesNext = true; }
 
 const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, NodeVectorsView x, NodeVectorsView v,
-                                               std::optional<double> h, StepEvaluation* evaluation) {
+                                               std::optional<double> h, StepEvaluation* evaluation,
+                                               const std::function<void()>& meanwhile) {
   Impl& m = *impl_;
   m.body.checkNodal("x", x);
   m.body.checkNodal("v", v);
@@ -199,15 +224,21 @@ const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, N
   report.elementsRefreshed = 0;
   report.spent = {};
 
-  const bool finite = allFinite(x, m.body.threads()) && allFinite(v, m.body.threads());
-  const bool asked = std::exchange(m.evaluatesNext, false);
-  const bool due =
-      finite && (m.observations++ % m.options.every == 0 || asked || m.unknown || m.bodyVersion != m.body.version());
-  if (evaluation && (!due || !m.bracket)) {
+  m.finite = ownFinite(m.body, x) && ownFinite(m.body, v);
+  const bool asked = std::exchange(m.evaluatesNext, false),
+             wanted = m.observations % m.options.every == 0 || asked || m.unknown || m.bodyVersion != m.body.version();
+  if (m.ofPart) {
+    StepEvaluation nothing;
+    nothing.wantsForce = false;
+    m.finite = m.ofPart->test(x, m.finite, wanted, evaluation ? *evaluation : nothing, meanwhile);
+  }
+  m.observations += m.finite ? 1 : 0;
+  const bool due = m.finite && wanted;
+  if (evaluation && !m.ofPart && (!due || !m.bracket)) {
     m.body.evaluate(x, *evaluation, m.workspace);
     evaluation = nullptr;
   }
-  if (!finite) {
+  if (!m.finite) {
     m.present({.kind = EventKind::nonFinite}, x);
     m.forget();
     report.verdict = Verdict::violated;
@@ -220,10 +251,11 @@ const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, N
     m.absent(EventKind::nonFinite);
   // Without a bracket the step may be certified all the same, in threshold mode. A metric with a margin proves nothing:
   // it can only say that the step is above what it recommends.
-  report.verdict = m.unknown                                  ? Verdict::violated
-                   : h && report.bracket                      ? verdictFor(*h, *report.bracket)
-                   : m.bracket && h && *h <= report.certified ? Verdict::certified
-                                                              : Verdict::notCertified;
+  const bool proves = m.bracket || m.ofPart;
+  report.verdict = m.unknown                               ? Verdict::violated
+                   : h && report.bracket                   ? verdictFor(*h, *report.bracket)
+                   : proves && h && *h <= report.certified ? Verdict::certified
+                                                           : Verdict::notCertified;
   if (h && report.bracket && report.verdict == Verdict::violated) {
     CriticalStep& b = *report.bracket;
     // What governs is searched now and then, and the optimistic side may have been sharpened since: an event that
@@ -239,7 +271,7 @@ const MonitorReport& StabilityMonitor::observe(std::int64_t step, double time, N
                .discreteShare = b.discreteShare,
                .element = b.controlling},
               x);
-  } else if (m.bracket) {
+  } else if (proves) {
     m.absent(EventKind::violated);
   }
   return report;

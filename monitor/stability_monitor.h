@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -105,6 +106,11 @@ struct MonitorReport {
 /// optimistic one a Rayleigh quotient or a reduced ring (Theorems 8 and 9, docs/theory/rings_and_rayleigh.md). Both are
 /// for the tangent at the state observed, and stable means what Theorem 27, docs/theory/integrators.md, says.
 ///
+/// The body may be a part of a larger one (body/domain.h): then all that observes is collective, all processes get the
+/// same report, which names elements of the whole, but for elementsRefreshed, of which each has its own; and the bits
+/// of the report are those for any other number of processes and any partition (Theorem 80,
+/// docs/theory/distribution.md).
+///
 ///   Body body(loadMesh("bar.msh"), makeMaterial("stvk", 30e3, 0.3, 1000));
 ///   StabilityMonitor monitor(body, {.limit = 2.0});  // of symplectic Euler
 ///   // in the time loop, before each step:
@@ -114,7 +120,7 @@ struct MonitorReport {
 class StabilityMonitor {
  public:
   /// The body must outlive the monitor. Throws InputError for an unknown metric, a margin outside [0, 1), every or
-  /// clearObservations < 1, or a bracket wanted by a rule that is not proven.
+  /// clearObservations < 1, a bracket wanted by a rule that is not proven, or a metric on a part of a body.
   StabilityMonitor(const Body& body, const MonitorOptions& options);
   ~StabilityMonitor();
 
@@ -124,9 +130,14 @@ class StabilityMonitor {
   /// them; h is empty while no step is chosen, and then no step is checked. Unless nullptr, `evaluation` is filled in
   /// at x: the monitor tests the elements in the one pass that computes what it asks for. When masses or constraints of
   /// the body have changed, everything is evaluated from scratch. The report is valid until the next call. Throws
-  /// InputError when x or v is not 3×N, or h is not positive and finite.
+  /// InputError when x or v is not 3×N, or h is not positive and finite. On a part of a body ghosts of x may be under
+  /// way to it (Domain::begin); meanwhile, unless empty, may be called once `evaluation` is filled in, while other
+  /// processes are waited for.
   const MonitorReport& observe(std::int64_t step, double time, NodeVectorsView x, NodeVectorsView v,
-                               std::optional<double> h, StepEvaluation* evaluation = nullptr);
+                               std::optional<double> h, StepEvaluation* evaluation = nullptr,
+                               const std::function<void()>& meanwhile = {});
+  /// Whether positions and velocities were finite at the last observation.
+  bool stateIsFinite() const;
   /// Checks the energies (of an EnergyBalance) of the state that was observed last. Returns the same report, with the
   /// event that has begun, if one has.
   const MonitorReport& observeEnergies(const Energies& energies);
@@ -135,7 +146,8 @@ class StabilityMonitor {
   const MonitorOptions& options() const;
 
   /// All that the monitor has come to know, as bytes. A monitor of the same options and the same body that load()s them
-  /// goes on with the bits of this one. Only the same build of the library reads them. Some 100 bytes a tet4.
+  /// goes on with the bits of this one. Only the same build of the library reads them. Some 100 bytes a tet4. Throws
+  /// InputError on a part of a body.
   std::string save() const;
   /// Throws InputError where bytes end early, or are of other options, of a body of other sizes or of packs of another
   /// width; what was known before is lost then.

@@ -37,6 +37,12 @@ class StepRule {
   double operator()(double lambda) const { return step_ ? step_(lambda) : stepFor(lambda, limit_); }
   double optimistic(LowerBound lambda) const { return optimistic_ ? optimistic_(lambda) : (*this)(lambda.value); }
   bool proven() const { return proven_; }
+  /// The rule of a step that is taken as n steps of this one's.
+  StepRule ofParts(int n) const {
+    if (!step_) return {n * limit_};
+    return {[rule = *this, n](double lambda) { return n * rule(lambda); },
+            [rule = *this, n](LowerBound lambda) { return n * rule.optimistic(lambda); }, proven_};
+  }
   /// The largest lambda, rad²/s², to rounding from below, at which the step h (s, > 0) is allowed: the rule turned
   /// round.
   double lambdaFor(double h) const {

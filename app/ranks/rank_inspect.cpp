@@ -23,10 +23,10 @@
 #include <ringwatch/distributed/exchange.h>
 #include <ringwatch/distributed/halo.h>
 #include <ringwatch/distributed/rank_body.h>
-#include <ringwatch/distributed/rank_frequency.h>
-#include <ringwatch/distributed/rank_monitor.h>
+#include <ringwatch/distributed/rank_domain.h>
 #include <ringwatch/meshes/formats/msh_outline.h>
-#include <ringwatch/monitor/energy_balance.h>
+#include <ringwatch/monitor/bounds/global_frequency.h>
+#include <ringwatch/monitor/critical_step.h>
 #include <ringwatch/monitor/event.h>
 
 namespace ringwatch {
@@ -52,15 +52,37 @@ void requireDistributable(const InspectOptions& options) {
 }
 
 /// x: of the part, 3×N, m.
-CriticalStep bracketOnRanks(Ranks& ranks, const RankBody& part, NodeVectorsView x, const StepRule& rule) {
+CriticalStep bracketOnRanks(Ranks& ranks, RankBody& part, NodeVectorsView x, const StepRule& rule) {
   Halo halo(ranks, part);
-  std::optional<RankMonitor> monitor;
-  together(ranks, [&] { monitor.emplace(ranks, halo, part, RankMonitorOptions{.limit = rule}); });
-  const CriticalStep step = monitor->bracketFromScratch(x);
-  together(ranks, [&] {
-    if (!step.isBracket()) throw NumericalError("the tangent is not finite");
-  });
-  return step;
+  RankDomain domain(ranks, halo, part);
+  std::optional<CriticalStep> step;
+  RankFault fault;
+  try {
+    step = criticalStep(part.body(), x, rule);
+  } catch (const NumericalError& found) {  // by all ranks
+    fault = {ExitStatus::unstable, found.what()};
+  } catch (const InputError& found) {
+    fault = {ExitStatus::badInput, found.what()};
+  }
+  requireNoFault(ranks, fault);
+  return *step;
+}
+
+/// globalFrequency() on every rank, with tangent products that each computes on its part: the same bits as on one
+/// process, since sums at owned nodes have the terms and the order of the whole (Theorem 78,
+/// docs/theory/distribution.md).
+GlobalFrequency globalOnRanks(Ranks& ranks, const RankBody& part, const Body& whole, const NodeVectors& x) {
+  const NodeVectors own = x(Eigen::all, part.globalNodes());
+  NodeVectors v, product;
+  Body::Workspace workspace;
+  return globalFrequency(whole, x, GlobalFrequency::usualTolerance, GlobalFrequency::mostRestarts,
+                         [&](NodeVectorsView ofWhole, NodeVectors& Kv) {
+                           v = ofWhole(Eigen::all, part.globalNodes());
+                           part.body().tangentProduct(own, v, product, workspace);
+                           Kv = gathered(ranks, part, product);
+                           Kv.resize(3, x.cols());
+                           ranks.share(Kv.data(), sizeof(double) * static_cast<std::size_t>(Kv.size()), 0);
+                         });
 }
 
 /// A mesh of which each rank has read a share and holds a part.
@@ -184,8 +206,7 @@ class MeshInParts final : public InspectedParts {
     for (std::size_t b = 1; b < sums.size(); ++b) figures.volume += sums[b].value() / material->density;
     together(ranks_, [&] {
       const int threads = threadsOfRank(ranks_, options_.threads, part.mesh);
-      body_.emplace(std::move(part), std::move(blocks), std::move(masses),
-                    roundingEnergy(material->restModulus(), figures.volume), threads);
+      body_.emplace(std::move(part), std::move(blocks), std::move(masses), threads);
     });
   }
 
@@ -269,7 +290,7 @@ InspectResult inspectOnRanks(Ranks& ranks, const InspectOptions& asked) {
       return bracketOnRanks(ranks, *part, NodeVectors(x(Eigen::all, part->globalNodes())), rule);
     };
     options.globalFrequency = [&](const Body& body, const NodeVectors& x) {
-      return globalFrequency(ranks, *part, body, x);
+      return globalOnRanks(ranks, *part, body, x);
     };
     return inspectMesh(options);
   };

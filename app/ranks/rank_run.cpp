@@ -1,7 +1,6 @@
 #include <ringwatch/app/ranks/rank_run.h>
 
 #include <algorithm>
-#include <array>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -23,18 +22,18 @@
 #include <ringwatch/app/scene/scene_state.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/body/nodes_of.h>
+#include <ringwatch/distributed/exchange.h>
 #include <ringwatch/distributed/rank_domain.h>
-#include <ringwatch/distributed/rank_monitor.h>
 #include <ringwatch/handlers/imex/implicit_cluster.h>
 
 namespace ringwatch {
 namespace {
 
-/// What is asked of a run from outside: of any rank, and, from its next observation on, of all.
+/// What is asked of a run from outside: of any rank, and, from the next maximum over them on, of all.
 class Wishes {
  public:
   explicit Wishes(const RankRunRequest& request) : request_(request) {}
-  /// As RankMonitor::observe takes it.
+  /// Of this rank since the last call: the larger one goes before others.
   int asked() const { return request_.interrupt->load() ? end : request_.checkpoint->exchange(false) ? save : none; }
   void agree(int asked) {
     if (asked == end) interrupt = true;
@@ -47,40 +46,18 @@ class Wishes {
   const RankRunRequest& request_;
 };
 
-class RankWatch final : public RunMonitor {
- public:
-  RankWatch(Ranks& ranks, Halo& halo, const RankBody& part, const MonitorOptions& options, int parts, Wishes& wishes)
-      : monitor_(ranks, halo, part,
-                 {.limit = options.limit,
-                  .mode = options.mode,
-                  .every = options.every,
-                  .energyTolerance = options.energyTolerance}),
-        wishes_(wishes) {
-    own_.wantsForce = false;
-    if (parts > 1) monitor_.setParts(parts);
-  }
-  const MonitorReport& observe(std::int64_t step, const State& state, std::optional<double> h,
-                               StepEvaluation* evaluation, const std::function<void()>& meanwhile) override {
-    int asked = wishes_.asked();
-    const MonitorReport& report =
-        monitor_.observe(step, state.time, state.x, state.v, h, evaluation ? *evaluation : own_, asked, meanwhile);
-    wishes_.agree(asked);
-    return report;
-  }
-  const MonitorReport& observeEnergies(const Energies& energies) override { return monitor_.observeEnergies(energies); }
-  const std::vector<MonitorEvent>& events() const override { return monitor_.events(); }
-  std::optional<bool> finite() const override { return monitor_.stateIsFinite(); }
-  const MonitorReport* prove(const State& state, double h) override { return &monitor_.prove(state.x, h); }
-
- private:
-  RankMonitor monitor_;
-  StepEvaluation own_;  // of elements that are watched alone
-  Wishes& wishes_;
-};
-
+/// Every maximum over the ranks tells them what is asked of the run: all know it at the same place of it.
 class RunDomain final : public RankDomain {
  public:
-  RunDomain(Ranks& ranks, Halo& halo, RankBody& part) : RankDomain(ranks, halo, part), ranks_(ranks) {}
+  RunDomain(Ranks& ranks, Halo& halo, RankBody& part, Wishes& wishes)
+      : RankDomain(ranks, halo, part), ranks_(ranks), wishes_(wishes) {}
+  void largest(std::span<double> numbers, const std::function<void()>& meanwhile = {}) override {
+    std::vector<double> told(numbers.begin(), numbers.end());
+    told.push_back(wishes_.asked());
+    ranks_.largest(told, meanwhile);
+    wishes_.agree(static_cast<int>(told.back()));
+    std::copy(told.begin(), told.end() - 1, numbers.begin());
+  }
   void together(const std::function<void()>& work) override {
     knownToAll = true;
     ringwatch::together(ranks_, work);
@@ -90,6 +67,7 @@ class RunDomain final : public RankDomain {
 
  private:
   Ranks& ranks_;
+  Wishes& wishes_;
 };
 
 class RankRun {
@@ -120,8 +98,6 @@ class RankRun {
 
  private:
   bool first() const { return ranks_.rank() == 0; }
-  /// What the monitor sees of the part: all of it, or the explicit elements.
-  const RankBody& watched() const { return explicitPart_ ? *explicitPart_ : *part_; }
 
   /// Every rank reads the scene and makes the whole body, and keeps its part.
   void begin() {
@@ -179,18 +155,16 @@ class RankRun {
       of_.explicitPart = &explicitPart_->body();
     }
     part_ = std::make_unique<RankBody>(*whole_, partition, ranks_.rank(), threads);
-    halo_ = std::make_unique<Halo>(ranks_, watched());
-    domain_ = std::make_unique<RunDomain>(ranks_, *halo_, *part_);
+    // What the monitor sees of the part: all of it, or the explicit elements.
+    halo_ = std::make_unique<Halo>(ranks_, explicitPart_ ? *explicitPart_ : *part_);
+    domain_ = std::make_unique<RunDomain>(ranks_, *halo_, *part_, wishes_);
+    if (explicitPart_) explicitDomain_ = std::make_unique<RunDomain>(ranks_, *halo_, *explicitPart_, wishes_);
     of_.process = ranks_.name() + ", ";
     of_.ofWhole = summaryJson(scene_, *whole_, {});
-    of_.roundingEnergy = part_->roundingEnergy();
     of_.begin.time = all.time;
     of_.begin.x = domain_->taken(all.x);
     of_.begin.v = domain_->taken(all.v);
     of_.loads.emplace(allLoads, part_->body(), part_->globalNodes());
-    of_.monitor = [this](const MonitorOptions& wanted, int parts) {
-      return std::make_unique<RankWatch>(ranks_, *halo_, watched(), wanted, parts, wishes_);
-    };
     of_.sent = [this](std::int64_t steps) { return traffic(steps); };
     options_.folder = request_.folder;
     options_.progress = first() && !request_.quiet;
@@ -214,26 +188,19 @@ class RankRun {
   /// Of all ranks, of a run that has come to so many steps. Collective.
   RunResult::Traffic traffic(std::int64_t steps) {
     const Halo::Traffic& own = halo_->traffic();
-    enum : std::size_t { messages, bytes, received, hidden, ghosts, count };
-    std::array<ExactSum, count> sums;  // whole numbers
-    sums[messages].add(static_cast<double>(own.messages));
-    sums[bytes].add(static_cast<double>(own.bytes));
-    sums[received].add(static_cast<double>(own.received));
-    sums[hidden].add(static_cast<double>(own.hidden));
-    sums[ghosts].add(static_cast<double>(part_->ghostNodes()));
-    ranks_.sum(sums);
-    double waited = own.waited;
-    ranks_.largest({&waited, 1});
     RunResult::Traffic all;
     all.ranks = ranks_.size();
     all.exchanges = own.exchanges;
-    all.messages = static_cast<std::int64_t>(sums[messages].value());
-    all.bytes = static_cast<std::int64_t>(sums[bytes].value());
+    all.messages = sumOver(ranks_, own.messages);
+    all.bytes = sumOver(ranks_, own.bytes);
     const std::int64_t before = saved_ ? saved_->parts.at("result").at("steps").get<std::int64_t>() : 0;
-    all.bytesByModel = static_cast<std::int64_t>(sums[ghosts].value()) * 3 * static_cast<std::int64_t>(sizeof(double)) *
-                       (steps - before);
-    if (sums[received].value() > 0) all.hidden = sums[hidden].value() / sums[received].value();
-    all.waited = waited;
+    all.bytesByModel =
+        sumOver(ranks_, part_->ghostNodes()) * 3 * static_cast<std::int64_t>(sizeof(double)) * (steps - before);
+    const auto received = static_cast<double>(sumOver(ranks_, own.received)),
+               hidden = static_cast<double>(sumOver(ranks_, own.hidden));
+    if (received > 0) all.hidden = hidden / received;
+    all.waited = own.waited;
+    ranks_.largest({&all.waited, 1});
     return all;
   }
 
@@ -246,7 +213,7 @@ class RankRun {
   std::unique_ptr<RankBody> part_;
   std::unique_ptr<RankBody> explicitPart_;  // of the same nodes; nullptr where it is all of the part
   std::unique_ptr<Halo> halo_;
-  std::unique_ptr<RunDomain> domain_;
+  std::unique_ptr<RunDomain> domain_, explicitDomain_;
   std::unique_ptr<RankFrames> frames_;
   RunOfPart of_;
   RunOptions options_;

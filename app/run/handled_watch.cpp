@@ -13,14 +13,13 @@ std::optional<MonitorEvent> HandledWatch::observe(Handler& handler, const Body& 
     return std::nullopt;
   }
   if (!tracker_.isNew(EventKind::inverted)) return std::nullopt;
-  return tracker_.begin(
-      {.kind = EventKind::inverted,
-       .step = step,
-       .time = time,
-       .value = least->value,
-       .handled = true,
-       .element = least->element,
-       .cause = body.domain().whole() ? std::optional(elementCause(body, x, least->element)) : std::nullopt});
+  return tracker_.begin({.kind = EventKind::inverted,
+                         .step = step,
+                         .time = time,
+                         .value = least->value,
+                         .handled = true,
+                         .element = least->element,
+                         .cause = elementCause(body, body.domain().withGhosts(x), least->element)});
 }
 
 std::optional<MonitorEvent> HandledWatch::observeEnergies(const Energies& energies, std::int64_t step, double time,

@@ -9,31 +9,12 @@
 #include <fmt/format.h>
 
 #include <ringwatch/app/run/stopwatch.h>
+#include <ringwatch/body/domain.h>
 
 namespace ringwatch {
-namespace {
 
-class WholeMonitor final : public RunMonitor {
- public:
-  WholeMonitor(const Body& body, const MonitorOptions& options) : monitor_(body, options) {}
-  const MonitorReport& observe(std::int64_t step, const State& state, std::optional<double> h,
-                               StepEvaluation* evaluation, const std::function<void()>& /*meanwhile*/) override {
-    return monitor_.observe(step, state.time, state.x, state.v, h, evaluation);
-  }
-  const MonitorReport& observeEnergies(const Energies& energies) override { return monitor_.observeEnergies(energies); }
-  const std::vector<MonitorEvent>& events() const override { return monitor_.events(); }
-  void evaluateNext() override { monitor_.evaluateNext(); }
-  std::string save() override { return monitor_.save(); }
-  void load(const std::string& saved) override { monitor_.load(saved); }
-
- private:
-  StabilityMonitor monitor_;
-};
-
-}  // namespace
-
-RunWatch::RunWatch(const Scene& scene, const Body& body, StepRule rule, RunResult& result, MakeMonitor make)
-    : scene_(scene), body_(body), rule_(std::move(rule)), result_(result), make_(std::move(make)) {}
+RunWatch::RunWatch(const Scene& scene, const Body& body, StepRule rule, RunResult& result)
+    : scene_(scene), body_(body), rule_(std::move(rule)), result_(result) {}
 
 void RunWatch::begin(Handler* handler, bool everyState) {
   end();
@@ -41,9 +22,9 @@ void RunWatch::begin(Handler* handler, bool everyState) {
   everyState_ = everyState;
   if (!scene_.monitored()) return;
   const Body& watched = handler_ ? handler_->explicitBody() : body_;
-  if (!make_ && watched.mesh().elementCount() == 0) return beginWithNothingExplicit();
+  if (watched.domain().whole() && watched.mesh().elementCount() == 0) return beginWithNothingExplicit();
   MonitorOptions wanted;
-  wanted.limit = rule_;
+  wanted.limit = handler_ ? rule_.ofParts(handler_->partsOfStep()) : rule_;
   wanted.mode = scene_.mode;
   wanted.metric = scene_.metric;
   wanted.margin = scene_.margin;
@@ -62,10 +43,7 @@ void RunWatch::begin(Handler* handler, bool everyState) {
   wanted.energyTolerance = scene_.energyTolerance;
   if (monitored_) wanted.firstObservationElements = 0;  // too dear at every choice of a handler
   monitored_ = true;
-  if (make_)
-    monitor_ = make_(wanted, handler_ ? handler_->partsOfStep() : 1);
-  else
-    monitor_ = std::make_unique<WholeMonitor>(watched, wanted);
+  monitor_.emplace(watched, wanted);
 }
 
 void RunWatch::beginWithNothingExplicit() {
@@ -120,7 +98,7 @@ MonitorReport RunWatch::observe(std::int64_t k, const State& state, std::optiona
     return report;
   }
   if (evaluation) evaluation->wallTime = 0;
-  report = monitor_->observe(k, state, h, evaluation, meanwhile);
+  report = monitor_->observe(k, state.time, state.x, state.v, h, evaluation, meanwhile);
   if (evaluation) {
     // The pass over the elements counts as the force's, which it serves too.
     result_.monitorTime -= evaluation->wallTime;
@@ -132,16 +110,7 @@ MonitorReport RunWatch::observe(std::int64_t k, const State& state, std::optiona
 }
 
 bool RunWatch::isFinite(const State& state) const {
-  const std::optional<bool> known = monitor_ ? monitor_->finite() : std::nullopt;
-  return known ? *known : ringwatch::isFinite(state, body_.threads());
-}
-
-bool RunWatch::prove(const State& state, double h, MonitorReport& report) {
-  const MonitorReport* proven = monitor_ ? monitor_->prove(state, h) : nullptr;
-  if (!proven) return false;
-  report.bracket = proven->bracket;
-  report.elementsRefreshed = proven->elementsRefreshed;
-  return true;
+  return monitor_ && everyState_ ? monitor_->stateIsFinite() : ringwatch::isFinite(state, body_.threads());
 }
 
 void RunWatch::complete(MonitorReport& report, const State& state, const std::optional<Energies>& energies) {
@@ -157,7 +126,7 @@ void RunWatch::complete(MonitorReport& report, const State& state, const std::op
   if (!handler_) return;
   if (const std::string news = handler_->news(); !news.empty())
     result_.notes.push_back(fmt::format("step {}, t = {:.6g} s: {}", report.step, state.time, news));
-  if (!make_) nameElements(report);  // else they have the names of the whole
+  if (body_.domain().whole()) nameElements(report);  // else they have the names of the whole
   if (report.step % scene_.every == 0 && isFinite(state)) watchHandled(report, state);
   checkHandled(report);
 }

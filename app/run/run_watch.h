@@ -1,11 +1,11 @@
 #pragma once
+#include <cstdint>
 #include <functional>
-#include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <ringwatch/app/run/handled_watch.h>
-#include <ringwatch/app/run/run_monitor.h>
 #include <ringwatch/app/run/run_result.h>
 #include <ringwatch/app/scene/scene.h>
 #include <ringwatch/integrators/integrator.h>
@@ -16,11 +16,8 @@ namespace ringwatch {
 /// those that it handles. Reports name elements of the body. Adds its times and notes to the result of the run.
 class RunWatch {
  public:
-  /// Makes a monitor of the explicit part of a part of a body; parts: of each step (Handler::partsOfStep).
-  using MakeMonitor = std::function<std::unique_ptr<RunMonitor>(const MonitorOptions&, int parts)>;
-  /// All of them must outlive the watch; a cut may replace the body's contents between end() and begin(). make: empty
-  /// where the body is the whole.
-  RunWatch(const Scene& scene, const Body& body, StepRule rule, RunResult& result, MakeMonitor make);
+  /// All of them must outlive the watch; a cut may replace the body's contents between end() and begin().
+  RunWatch(const Scene& scene, const Body& body, StepRule rule, RunResult& result);
 
   /// Watches the body as it is from here on, or what a handler (nullptr: none) leaves explicit of it. everyState: the
   /// states come one by one; else they come at least where the scene wants the monitor.
@@ -34,13 +31,11 @@ class RunWatch {
   /// Whether observe() fills in an evaluation of the whole body in its own pass.
   bool sharesPass() const { return monitor_ && (!handler_ || &handler_->explicitBody() == &body_); }
   /// Observes the state before step k of h seconds (empty while none is chosen). evaluation: as of
-  /// StabilityMonitor::observe; nullptr unless sharesPass(). meanwhile: as of RunMonitor.
+  /// StabilityMonitor::observe; nullptr unless sharesPass(). meanwhile: as of it, too.
   MonitorReport observe(std::int64_t k, const State& state, std::optional<double> h, StepEvaluation* evaluation,
                         const std::function<void()>& meanwhile);
   /// Whether the state that was observed last is finite, of all parts of a body.
   bool isFinite(const State& state) const;
-  /// Proves what it can of that state, for steps of h, and gives it to a report of it; false where it cannot.
-  bool prove(const State& state, double h, MonitorReport& report);
   /// Makes the next observation one of the very state, where every state is seen.
   void evaluateNext() {
     if (monitor_) monitor_->evaluateNext();
@@ -90,8 +85,7 @@ class RunWatch {
   Handler* handler_ = nullptr;
   bool everyState_ = true;
   bool monitored_ = false;  // a monitor has been made
-  MakeMonitor make_;
-  std::unique_ptr<RunMonitor> monitor_;
+  std::optional<StabilityMonitor> monitor_;
   bool handlerProves_ = false;  // every element is handled, and proven by the handler
   HandledWatch handledWatch_;
   MonitorReport lastReport_;  // where not every state is seen: of the last one that was

@@ -10,7 +10,6 @@
 #include <nlohmann/json.hpp>
 
 #include <ringwatch/app/run/run_result.h>
-#include <ringwatch/app/run/run_watch.h>
 #include <ringwatch/app/run/timed_loads.h>
 #include <ringwatch/app/scene/scene.h>
 
@@ -25,13 +24,11 @@ struct RunOfPart {
   std::string process;                 // its name, for a fault of its own
   Body* whole = nullptr;               // on the first process, which names elements by it
   nlohmann::ordered_json ofWhole;      // summaryJson() of it before the run
-  double roundingEnergy = 0;           // J, of the whole
   State begin;                         // the state in which a run begins that is not resumed
   std::optional<TimedLoads> loads;     // of the part
   std::unique_ptr<Handler> handler;    // of the whole, which has chosen; nullptr without one
   const Body* explicitPart = nullptr;  // the part of its explicit elements, as of Handler::prepareAsPart()
   FramePieces* pieces = nullptr;       // of the frames
-  RunWatch::MakeMonitor monitor;       // of what is explicit
   std::function<RunResult::Traffic(std::int64_t steps)> sent;  // by a run of so many steps; collective
 };
 

@@ -14,7 +14,6 @@
 #include <ringwatch/body/discrete_forces.h>
 #include <ringwatch/body/domain.h>
 #include <ringwatch/handlers/angular_momentum.h>
-#include <ringwatch/meshes/all_finite.h>
 
 namespace ringwatch {
 namespace {
@@ -33,11 +32,11 @@ Simulation::Simulation(const Scene& s, Body& b, const RunOptions& o)
       body(b),
       options(o),
       rule(sceneStepRule(s, b)),
-      energies(s, b, o.part ? o.part->roundingEnergy : roundingEnergy(b)),
+      energies(s, b, roundingEnergy(b)),
       steps(s),
       loads(o.part ? std::move(*o.part->loads) : TimedLoads(s, b)),
       recorder(s, result),
-      watch(s, b, rule, result, o.part ? o.part->monitor : nullptr),
+      watch(s, b, rule, result),
       probes(s, b, rule) {
   result.probes = probes.columns();
   result.notes = options.notes;
@@ -104,9 +103,9 @@ std::int64_t Simulation::stepsToObservation(std::int64_t k) {
   return count;
 }
 
-std::optional<CriticalStep> Simulation::criticalStepHere() const {
+std::optional<CriticalStep> Simulation::criticalStepHere(std::int64_t* evaluations) const {
   try {
-    return criticalStep(body, state.x, rule);
+    return criticalStep(body, state.x, rule, {.evaluations = evaluations});
   } catch (const NumericalError&) {
     return std::nullopt;
   }
@@ -192,7 +191,7 @@ void Simulation::setLoads() {
 
 bool Simulation::acceptState(const MonitorReport& report) {
   if (result.reason != ExitReason::end) return false;
-  const bool finite = watch.isFinite(state);
+  const bool finite = watch.monitors() ? watch.isFinite(state) : isFinite();
   if (!finite)
     end(ExitReason::nonFinite, fmt::format("positions or velocities are not finite after step {}", report.step));
   return finite;
@@ -209,11 +208,7 @@ bool Simulation::stopsAt(const MonitorReport& report) const {
 }
 
 bool Simulation::isFinite() const {
-  const Eigen::Index owned = body.domain().owned(state.x.cols());
-  const auto finite = [&](const NodeVectors& all) {
-    return allFinite(NodeVectorsView(all.data(), owned), body.threads());
-  };
-  double isNot = finite(state.x) && finite(state.v) ? 0 : 1;
+  double isNot = ownFinite(body, state.x) && ownFinite(body, state.v) ? 0 : 1;
   body.domain().largest({&isNot, 1});
   return isNot == 0;
 }
@@ -224,9 +219,8 @@ bool Simulation::chooseStep(MonitorReport& report) {
     fault = steps.choose(report, state.time, [this](MonitorReport& fresh) {
       const Stopwatch measured(result.monitorTime);
       fresh.fresh = true;
-      if (watch.prove(state, steps.step(), fresh)) return;
-      fresh.bracket = criticalStepHere();
-      fresh.elementsRefreshed = static_cast<std::int64_t>(body.mesh().elementCount());
+      fresh.elementsRefreshed = 0;
+      fresh.bracket = criticalStepHere(&fresh.elementsRefreshed);
     });
   };
   // The first step of "auto" may be out of all proportion to the end, which one process tells for all.

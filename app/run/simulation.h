@@ -66,7 +66,7 @@ class Simulation {
   /// The energies of the state, in a pass of their own.
   void recordEnergies();
   /// The bracket of the whole body, from scratch; empty where the state has none.
-  std::optional<CriticalStep> criticalStepHere() const;
+  std::optional<CriticalStep> criticalStepHere(std::int64_t* evaluations = nullptr) const;
 
   const Scene& scene;
   Body& body;

@@ -25,21 +25,6 @@ Eigen::Matrix3d flooredRoot(const Eigen::Matrix3d& A) {
          eigen.eigenvectors().transpose();
 }
 
-/// What the bound of a part of a body asks the others.
-class OtherParts final : public RestOfBody {
- public:
-  explicit OtherParts(Domain& domain) : domain_(domain) {}
-  void completeSums(Eigen::Matrix<double, 6, Eigen::Dynamic>& sums) override { domain_.exchange(sums); }
-  double largest(double own) override {
-    domain_.largest({&own, 1});
-    return own;
-  }
-  bool counts(ElementRef element) const override { return domain_.counts(element); }
-
- private:
-  Domain& domain_;
-};
-
 }  // namespace
 
 double marginOfMassScaling(std::string_view) { return 0.15; }
@@ -72,8 +57,7 @@ void MassScaling::inherit(const Handler& before) {
 
 void MassScaling::divideSteps(const NodeVectors& x, double h) {
   NodalBound bound(body_);
-  OtherParts others(body_.domain());
-  if (isPart()) bound.setRest(&others);
+  bound.setDomain(body_.domain());
   const UpperBound lambda = bound.evaluate(x, StepDivision::sweeps);
   ExactSum evaluations;  // small whole numbers
   evaluations.add(static_cast<double>(bound.evaluations()));

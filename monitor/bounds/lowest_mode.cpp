@@ -17,8 +17,9 @@ namespace {
 
 constexpr double clearlyBelow = 1e-4;  // zero, relative to the norm of S K S: the search can end
 
-/// 1/√(Σ_e tr|K_e,aa|) of every node, zero in constrained components.
-NodeVectors scaleOf(const TangentSource& source, NodeVectorsView x, TangentSource::Workspace& workspace) {
+}  // namespace
+
+NodeVectors scaleForSigns(const TangentSource& source, NodeVectorsView x, TangentSource::Workspace& workspace) {
   NodeVectors scale;
   source.sumOverPatches(scale, workspace, [&](std::size_t b, std::int32_t p, double* slots) {
     const ElementTangents& block = *source.tangents()[b];
@@ -44,8 +45,7 @@ NodeVectors scaleOf(const TangentSource& source, NodeVectorsView x, TangentSourc
   return scale;
 }
 
-/// The element with the least uᵀK_e u.
-ElementRef softestElement(const TangentSource& source, NodeVectorsView x, const NodeVectors& u) {
+SoftElement softestElement(const TangentSource& source, NodeVectorsView x, const NodeVectors& u) {
   std::vector<std::vector<double>> forms;
   for (const ElementTangents* block : source.tangents())
     forms.emplace_back(static_cast<std::size_t>(block->elementCount()));
@@ -63,22 +63,16 @@ ElementRef softestElement(const TangentSource& source, NodeVectorsView x, const 
       forms[b][e] = form;
     }
   });
-  double least = infinity;
-  ElementRef softest;
+  SoftElement softest{infinity, {}};
   for (std::size_t b = 0; b < forms.size(); ++b)
     for (std::size_t e = 0; e < forms[b].size(); ++e)
-      if (forms[b][e] < least) {
-        least = forms[b][e];
-        softest = {b, e};
-      }
+      if (forms[b][e] < softest.form) softest = {forms[b][e], {b, e}};
   return softest;
 }
 
-}  // namespace
-
 void LowestModeSearch::takeScale(NodeVectorsView x) {
   if (scale_.cols() > 0 && sourceVersion_ == source_.version() && ++sinceScale_ < scaleGap) return;
-  scale_ = scaleOf(source_, x, workspace_);
+  scale_ = scaleForSigns(source_, x, workspace_);
   sinceScale_ = 0;
   sourceVersion_ = source_.version();
 }
@@ -129,7 +123,7 @@ LowestMode LowestModeSearch::find(NodeVectorsView x, int maxProducts) {
   const double form =
       w.cwiseProduct(u).sum() + negativeQuotientRounding * T.radius + source_.formRounding(x, u, workspace_);
   result.value = form / (u.cwiseAbs2() * source_.lumpedMass()).sum();
-  if (result.value < 0) result.element = softestElement(source_, x, u);
+  if (result.value < 0) result.element = softestElement(source_, x, u).element;
   return result;
 }
 

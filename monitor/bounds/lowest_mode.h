@@ -16,6 +16,17 @@ struct LowestMode {
   int products = 0;    // tangent products spent
 };
 
+/// The S below: 1/√(Σ_e tr|K_e,aa|) of every node, zero in constrained components.
+NodeVectors scaleForSigns(const TangentSource& source, NodeVectorsView x, TangentSource::Workspace& workspace);
+
+/// An element and its uᵀK_e u.
+struct SoftElement {
+  double form;
+  ElementRef element;
+};
+/// The one with the least.
+SoftElement softestElement(const TangentSource& source, NodeVectorsView x, const NodeVectors& u);
+
 /// Searches for a direction in which K(x) is negative. A congruence keeps the signs of the eigenvalues, so the search
 /// is made on S K S with S = 1/√(Σ_e tr|K_e,aa|) at each node, whose spectrum does not depend on the sizes of the
 /// elements: Lanczos with full orthogonalisation. Directions with more than about (3 / maxProducts)² of the stiffest

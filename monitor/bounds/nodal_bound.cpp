@@ -11,6 +11,7 @@
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/base/sort_unique.h>
 #include <ringwatch/body/discrete_forces.h>
+#include <ringwatch/body/domain.h>
 #include <ringwatch/monitor/bounds/nodal_weights.h>
 #include <ringwatch/monitor/bounds/scaled_tangent.h>
 
@@ -184,18 +185,20 @@ void NodalBound::evaluateAll(NodeVectorsView x, const Start* start) {
   });
   for (std::size_t b = 0; b < source_->tangents().size(); ++b) {
     const std::int32_t count = source_->tangents()[b]->elementCount();
-    if (!rest_) evaluations_ += count;
-    for (std::int32_t e = 0; rest_ && e < count; ++e) evaluations_ += rest_->counts({b, e}) ? 1 : 0;
+    if (!domain_) evaluations_ += count;
+    for (std::int32_t e = 0; domain_ && e < count; ++e) evaluations_ += domain_->counts({b, e}) ? 1 : 0;
   }
   std::fill(changed_.begin(), changed_.end(), true);
 }
+
+void NodalBound::setDomain(Domain& domain) { domain_ = domain.whole() ? nullptr : &domain; }
 
 void NodalBound::completeSums() {
   const std::int32_t nodes = source_->nodeCount();
   Eigen::Matrix<double, 6, Eigen::Dynamic> sums(6, nodes);
   for (std::int32_t i = 0; i < nodes; ++i)
     for (int c = 0; c < 6; ++c) sums(c, i) = sums_[i / lanes].m[c][i % lanes];
-  rest_->completeSums(sums);
+  domain_->exchange(sums);
   for (std::int32_t i = 0; i < nodes; ++i)
     for (int c = 0; c < 6; ++c) sums_[i / lanes].m[c].set(i % lanes, sums(c, i));
 }
@@ -257,12 +260,12 @@ double NodalBound::sumAtNodes() {
         sums_[pack] = S;
       },
       64);
-  if (rest_) completeSums();
+  if (domain_) completeSums();
   parallelFor(
       0, sums_.size(), source_->threads(),
       [&](std::int64_t pack) {
         // Of what has changed elsewhere nothing is known.
-        if (!rest_ && !hasChanged(pack)) return;
+        if (!domain_ && !hasChanged(pack)) return;
         const Symmetric3<P>& S = sums_[pack];
         P A[9], work[12];
         for (int i = 0; i < 3; ++i)
@@ -277,7 +280,8 @@ double NodalBound::sumAtNodes() {
     if (!(nodal_[i] <= bound)) bound = nodal_[i];
     if (std::isnan(bound)) break;
   }
-  return rest_ ? rest_->largest(bound) : bound;
+  if (domain_) domain_->largest({&bound, 1});
+  return bound;
 }
 
 void NodalBound::findFactors(double bound) {
@@ -314,11 +318,11 @@ void NodalBound::sweep(NodeVectorsView x, double bound) {
       high.push_back(e);
       for (const std::int32_t node : nodes) changed_[node] = true;
     }
-    evaluations_ += rest_ ? std::count_if(high.begin(), high.end(),
-                                          [&](std::int32_t e) {
-                                            return rest_->counts({b, e});
-                                          })
-                          : static_cast<std::ptrdiff_t>(high.size());
+    evaluations_ += domain_ ? std::count_if(high.begin(), high.end(),
+                                            [&](std::int32_t e) {
+                                              return domain_->counts({b, e});
+                                            })
+                            : static_cast<std::ptrdiff_t>(high.size());
     high.resize((high.size() + lanes - 1) / lanes * lanes, -1);
     parallelFor(
         0, high.size() / lanes, source_->threads(),

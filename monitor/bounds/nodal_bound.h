@@ -10,19 +10,7 @@
 
 namespace ringwatch {
 
-/// The rest of a body of which a source is a part: what the bound of the part asks of it, at the same point of every
-/// part's evaluation.
-class RestOfBody {
- public:
-  virtual ~RestOfBody() = default;
-  /// Replaces the sums S_i at nodes whose elements are not all in the part by those of the part that has them all: a
-  /// column of Symmetric3's six numbers for each node.
-  virtual void completeSums(Eigen::Matrix<double, 6, Eigen::Dynamic>& sums) = 0;
-  /// The largest number of all parts; NaN where one is.
-  virtual double largest(double own) = 0;
-  /// Whether this part counts the element among NodalBound::evaluations(): of the parts that have it one does.
-  virtual bool counts(ElementRef element) const = 0;
-};
+class Domain;
 
 /// A nodal bound that is enough, rad²/s². Below it sweeps go on while they have taken fewer evaluations and two of them
 /// gain more than leastGain, but not below one that is ample; nor while two of them gain less than leastOfRest of what
@@ -54,10 +42,9 @@ class NodalBound {
   /// Elements that are not in the source and share nodes with it, by their Σ l_e D_e at each node (N of them, N/m):
   /// they count in every sum and thus in the bound, and are not swept.
   void setOutside(std::vector<Eigen::Matrix3d> sums) { outside_ = std::move(sums); }
-  /// The source is a part of a body: sums and the bound are those of the whole from here on, and weights of an element
-  /// the same in every part that has it (Theorem 79, docs/theory/distribution.md). nullptr: it is the whole. By
-  /// reference.
-  void setRest(RestOfBody* rest) { rest_ = rest; }
+  /// The source is a part of a body (body/domain.h): sums and the bound are those of the whole from here on, and
+  /// weights of an element the same in every part that has it (Theorem 79, docs/theory/distribution.md). By reference.
+  void setDomain(Domain& domain);
   /// The majorants that discrete forces count with, in place of those at the positions of an evaluation: one for each
   /// of their nodes(), N/m.
   void setMajorants(std::vector<Eigen::Matrix3d> majorants) {
@@ -164,7 +151,7 @@ class NodalBound {
   const std::vector<RoundingShare>& poorlyConditioned() const { return poorlyConditioned_; }
   static constexpr double largeRounding = 1e-3;
 
-  /// Elements times evaluations in the last call, of a part those that it counts (RestOfBody::counts).
+  /// Elements times evaluations in the last call, of a part those that it counts (Domain::counts).
   std::int64_t evaluations() const { return evaluations_; }
 
   template <class Archive>
@@ -207,7 +194,7 @@ class NodalBound {
   AlignedVector<Symmetric3<Pack>> sums_;    // S_i, one node a lane
   AlignedVector<Symmetric3<Pack>> factors_;
   std::vector<Eigen::Matrix3d> outside_;  // by node; empty for none
-  RestOfBody* rest_ = nullptr;
+  Domain* domain_ = nullptr;              // of a part
   std::vector<Eigen::Matrix3d> majorants_;
   bool keepsMajorants_ = false;
   std::vector<double> nodal_;

@@ -7,6 +7,7 @@
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/base/short_floats.h>
 #include <ringwatch/body/discrete_forces.h>
+#include <ringwatch/body/domain.h>
 #include <ringwatch/monitor/bounds/scaled_tangent.h>
 
 namespace ringwatch {
@@ -50,6 +51,7 @@ void evaluateElements(const Body& body, const NodalBound& weights, NodeVectorsVi
 
 template <class Allowance>
 CertificateState<Allowance>::CertificateState(const Body& body) : body_(body), weights_(body) {
+  weights_.setDomain(body.domain());
   for (const auto& block : body.blocks()) allowances_.emplace_back(block->layout().elements.size());
 }
 
@@ -105,7 +107,7 @@ double CertificateState<Allowance>::verify(NodeVectorsView x) const {
       double value[lanes];
       const NodalBound::ElementMatrices tangent{K.data(), T.data(), value};
       weights_.weightedLargest(element.block, elements, {&tangent, 1});
-      if (std::isnan(value[0])) return infinity;
+      if (std::isnan(value[0])) excess = infinity;
       if (value[0] > 0) excess = std::max(excess, value[0] / allowance(element) - 1);
     }
   }
@@ -117,9 +119,11 @@ double CertificateState<Allowance>::verify(NodeVectorsView x) const {
       if (lacking > 0) excess = std::max(excess, lacking / needed[k].trace());
     }
   }
-  for (std::int32_t node = 0; node < body_.nodeCount(); ++node)
+  Domain& domain = body_.domain();
+  for (std::int32_t node = 0; node < domain.owned(body_.nodeCount()); ++node)
     excess = std::max(excess,
                       largestEigenvalue(sumOfAllowances(node) / body_.lumpedMass()[node]) / certifiedEigenvalue_ - 1);
+  domain.largest({&excess, 1});
   return excess;
 }
 

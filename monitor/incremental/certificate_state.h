@@ -89,7 +89,7 @@ class CertificateState {
   /// Σ β_e R_e D_e R_eᵀ alone, with constrained components.
   Eigen::Matrix3d sumOfElements(std::int32_t node) const;
   /// Checks the two statements at positions x from nothing but weights, rotations, allowances and exact tangents; for
-  /// tests. Returns the largest relative excess: <= 0 when both hold, but for rounding.
+  /// tests. Returns the largest relative excess: <= 0 when both hold, but for rounding. Collective (body/domain.h).
   double verify(NodeVectorsView x) const;
 
   template <class Archive>

@@ -8,6 +8,7 @@
 #include <ringwatch/base/rounding.h>
 #include <ringwatch/base/sort_unique.h>
 #include <ringwatch/body/discrete_forces.h>
+#include <ringwatch/body/domain.h>
 #include <ringwatch/body/nodes_of.h>
 #include <ringwatch/materials/rotation.h>
 #include <ringwatch/monitor/bounds/scaled_tangent.h>
@@ -262,8 +263,9 @@ void RunCertificate::growBalls(std::span<const Leaver> leavers) {
 
 void RunCertificate::raiseToValues(const std::vector<ElementRef>& elements, double share) {
   for (const ElementRef e : elements) setAllowance(e, std::max(allowance(e), value(e) * (1 + share)));
-  const std::vector<double> sums = sumsAt(nodesOfElements(body(), elements));
-  for (const double sum : sums) setCertifiedEigenvalue(std::max(certifiedEigenvalue(), sum));
+  std::vector<std::int32_t> nodes = nodesOfElements(body(), elements);
+  std::erase_if(nodes, [owned = body().domain().owned(body().nodeCount())](std::int32_t i) { return i >= owned; });
+  for (const double sum : sumsAt(nodes)) setCertifiedEigenvalue(std::max(certifiedEigenvalue(), sum));
   for (const ElementRef e : elements) fitBall(e);
   statistics_.raises += elements.empty() ? 0 : 1;
 }

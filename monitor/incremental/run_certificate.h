@@ -59,7 +59,8 @@ class RunCertificate : public CertificateState<RoundedDown<float>> {
   /// The same for leavers once their needs are served by a raise.
   void growBalls(std::span<const Leaver> leavers);
   /// Raises the allowances of elements that were evaluated at the positions of the last elementsOutsideBall to their
-  /// values and a share of them, and the certified eigenvalue to what their nodes then need.
+  /// values and a share of them, and the certified eigenvalue to what their nodes, of a part of a body its own ones,
+  /// then need.
   void raiseToValues(const std::vector<ElementRef>& elements, double share);
   /// Evaluates elements at x: values, reference gradients, balls for their allowances, and with weights that have
   /// changed strain norms.

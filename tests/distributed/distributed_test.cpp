@@ -18,12 +18,13 @@
 #include <ringwatch/distributed/partition.h>
 #include <ringwatch/distributed/rank_body.h>
 #include <ringwatch/distributed/rank_domain.h>
-#include <ringwatch/distributed/rank_monitor.h>
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/materials/registry.h>
 #include <ringwatch/meshes/generators/generators.h>
 #include <ringwatch/monitor/critical_step.h>
 #include <ringwatch/monitor/energy_balance.h>
+#include <ringwatch/monitor/incremental/part_bracket.h>
+#include <ringwatch/monitor/stability_monitor.h>
 #include <tests/distributed/some.h>
 
 namespace ringwatch {
@@ -137,7 +138,7 @@ class Distributed {
         domain_(ranks_, halo_, part_),
         system_(part_.body(), trial.damping),
         integrator_(integratorOf(trial)),
-        monitor_(ranks_, halo_, part_, {.limit = 2.0, .mode = mode, .every = every}) {
+        monitor_(part_.body(), {.limit = 2.0, .mode = mode, .every = every}) {
     state_.x.resize(3, part_.body().nodeCount());
     state_.v = state_.x;
     for (std::int32_t i = 0; i < part_.body().nodeCount(); ++i) {
@@ -158,9 +159,8 @@ class Distributed {
     return report;
   }
   const MonitorReport& observe(std::int64_t k, double h) {
-    int asked = 0;
     evaluation_.wantsForce = true;
-    return monitor_.observe(k, state_.time, state_.x, state_.v, h, evaluation_, asked,
+    return monitor_.observe(k, state_.time, state_.x, state_.v, h, &evaluation_,
                             [&] { system_.complete(state_, evaluation_); });
   }
   Energies energies() { return EnergyBalance(part_.body()).evaluate(state_.x, state_.v); }
@@ -168,7 +168,7 @@ class Distributed {
   const State& state() const { return state_; }
   Ranks& ranks() { return ranks_; }
   Halo& halo() { return halo_; }
-  RankMonitor& monitor() { return monitor_; }
+  StabilityMonitor& monitor() { return monitor_; }
 
  private:
   Ranks ranks_;
@@ -177,7 +177,7 @@ class Distributed {
   RankDomain domain_;
   BodySystem system_;
   std::unique_ptr<Integrator> integrator_;
-  RankMonitor monitor_;
+  StabilityMonitor monitor_;
   State state_;
   StepEvaluation evaluation_;
 };
@@ -257,8 +257,8 @@ TEST(Distributed, HasTheBitsOfOneRankForAnyPartition) {
   }
 }
 
-/// Highest eigenvalue of M⁻¹K over the free components, by a dense solver.
-double highestEigenvalue(const Body& body, const NodeVectors& x) {
+/// Eigenvalues of M⁻¹K over the free components, by a dense solver.
+Eigen::VectorXd eigenvalues(const Body& body, const NodeVectors& x) {
   const Eigen::MatrixXd K = body.assembleTangent(x);
   std::vector<Eigen::Index> free;
   for (std::int32_t i = 0; i < body.nodeCount(); ++i)
@@ -269,7 +269,7 @@ double highestEigenvalue(const Body& body, const NodeVectors& x) {
     for (std::size_t c = 0; c < free.size(); ++c)
       A(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(c)) =
           K(free[r], free[c]) / std::sqrt(body.lumpedMass()[free[r] / 3] * body.lumpedMass()[free[c] / 3]);
-  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(A, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
+  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(A, Eigen::EigenvaluesOnly).eigenvalues();
 }
 
 TEST(Distributed, BracketsTheDenseEigenvalue) {
@@ -284,12 +284,14 @@ TEST(Distributed, BracketsTheDenseEigenvalue) {
     const std::unique_ptr<Integrator> integrator = integratorOf(trial);
     State state = trial.state;
     const double h = 0.3 * trial.h;
+    PartBracket bracket(parts.part().body(), 0.05, false);
+    StepEvaluation evaluation;
     for (int step = 0; step < 60; ++step) {
       const NodeVectors x = state.x;
       const MonitorReport& report = parts.step(step, h);
       EXPECT_TRUE(report.bracket.has_value()) << trial.what;
       if (step % 20 == 0 && report.bracket) {
-        const double exact = 2 / std::sqrt(highestEigenvalue(*trial.body, x));
+        const double exact = 2 / std::sqrt(eigenvalues(*trial.body, x).maxCoeff());
         EXPECT_LE(report.bracket->safe, exact) << trial.what << ", step " << step;
         EXPECT_GE(report.bracket->optimistic, exact) << trial.what << ", step " << step;
         // Both sides are near it, or they would be worth nothing.
@@ -298,14 +300,46 @@ TEST(Distributed, BracketsTheDenseEigenvalue) {
       }
       integrator->advance(system, state, h);
       if (state.lag != 0) complete(system, state);
-      // What has been certified holds at the state, by plain evaluation of every element and node.
+      EXPECT_TRUE(bracket.test(parts.state().x, true, true, evaluation, {}));
+      bracket.update(parts.state().x, 2.0, h);
     }
-    const NodeVectors& x = parts.state().x;
-    int asked = 0;
-    StepEvaluation evaluation;
-    parts.monitor().observe(60, 0, x, parts.state().v, h, evaluation, asked, {});
-    EXPECT_LE(parts.monitor().verify(x), 1e-9) << trial.what;
+    // What has been certified holds at the state, by plain evaluation of every element and node.
+    EXPECT_LE(bracket.certificate().verify(parts.state().x), 1e-9) << trial.what;
   }
+}
+
+/// A direction of negative stiffness is found where a dense solver says that there is one, and nowhere else.
+TEST(Distributed, FindsIndefiniteTangents) {
+  for (const char* element : {"tet4", "hex8"})
+    for (const double stretch : {0.6, 0.8, 1.2}) {
+      BarOptions options;
+      options.size = {0.1, 0.05, 0.05};
+      options.cells = {4, 2, 2};
+      options.element = element;
+      options.jitter = 0.1;
+      Trial trial;
+      trial.body = std::make_unique<Body>(generateBar(options), makeMaterial("stvk", 1e6, 0.3, 1000));
+      for (std::int32_t i = 0; i < trial.body->nodeCount(); ++i)
+        if (trial.body->mesh().X(0, i) < 1e-9) trial.body->constraints().fix(i);
+      trial.state = BodySystem(*trial.body).initialState();
+      trial.state.x.row(0) *= stretch;
+      const double least = eigenvalues(*trial.body, trial.state.x).minCoeff();
+      Distributed parts(MPI_COMM_WORLD, trial, worldPartition(trial.body->mesh()), 1, MonitorMode::bracket);
+      const MonitorReport& report = parts.observe(0, 1e-6);
+      const CriticalStep alone = criticalStep(parts.part().body(), parts.state().x, 2.0);
+      ASSERT_TRUE(report.bracket);
+      for (const double found : {report.bracket->lowestRing, alone.lowestRing}) {
+        EXPECT_GE(found, std::min(least, 0.0) * (1 + 1e-9)) << element << ", " << stretch;
+        EXPECT_EQ(found < 0, least < 0) << element << ", " << stretch << ": " << least;
+      }
+      ASSERT_EQ(report.newEvents.size(), least < 0 ? 1u : 0u);
+      if (least < 0) {
+        EXPECT_EQ(report.newEvents[0].kind, EventKind::indefinite);
+        EXPECT_EQ(report.newEvents[0].value, report.bracket->lowestRing);
+        EXPECT_LT(report.newEvents[0].cause->leastStretch, 0.9);
+      }
+      EXPECT_EQ(stretch < 1, least < 0);
+    }
 }
 
 TEST(Distributed, SendsWhatTheModelSays) {
@@ -363,26 +397,26 @@ TEST(Distributed, RefusesWhatDoesNotFit) {
   EXPECT_THROW(partitionOf(mesh, {0}, 1), InputError);
   EXPECT_THROW(partitionOf(mesh, std::vector<std::int32_t>(mesh.elementCount(), 2), 2), InputError);
   Ranks ranks(MPI_COMM_SELF);
-  const RankBody part(*trial.body, partitionMesh(mesh, 1), 0);
+  RankBody part(*trial.body, partitionMesh(mesh, 1), 0);
   Halo halo(ranks, part);
-  EXPECT_THROW(RankMonitor(ranks, halo, part, {.mode = MonitorMode::metric}), InputError);
+  RankDomain domain(ranks, halo, part);
+  EXPECT_THROW(StabilityMonitor(part.body(), {.mode = MonitorMode::metric, .metric = "single-element"}), InputError);
+  StabilityMonitor monitor(part.body(), {});
+  EXPECT_THROW(monitor.save(), InputError);
 }
 
-/// One rank that is to stop, or whose state is not finite, is known to all.
+/// One rank whose state is not finite is known to all.
 TEST(Distributed, KnowsOfTheOthers) {
   const Trial trial = makeTrial(12, 1, 3);
   Distributed parts(MPI_COMM_WORLD, trial, worldPartition(trial.body->mesh()), 1, MonitorMode::bracket);
   const bool last = parts.ranks().rank() == parts.ranks().size() - 1;
   NodeVectors x = parts.state().x;
   StepEvaluation evaluation;
-  int asked = last ? 2 : 0;
-  EXPECT_NE(parts.monitor().observe(0, 0, x, parts.state().v, trial.h, evaluation, asked, {}).verdict,
-            Verdict::violated);
-  EXPECT_EQ(asked, 2);
+  EXPECT_NE(parts.monitor().observe(0, 0, x, parts.state().v, trial.h, &evaluation).verdict, Verdict::violated);
+  EXPECT_TRUE(parts.monitor().stateIsFinite());
   if (last) x(0, 0) = std::nan("");
-  asked = 0;
-  const MonitorReport& report = parts.monitor().observe(1, 0, x, parts.state().v, trial.h, evaluation, asked, {});
-  EXPECT_EQ(asked, 0);
+  const MonitorReport& report = parts.monitor().observe(1, 0, x, parts.state().v, trial.h, &evaluation);
+  EXPECT_FALSE(parts.monitor().stateIsFinite());
   EXPECT_EQ(report.verdict, Verdict::violated);
   EXPECT_FALSE(report.bracket.has_value());
   ASSERT_EQ(report.newEvents.size(), 1u);

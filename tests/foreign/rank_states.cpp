@@ -7,9 +7,9 @@
 #include <vector>
 
 #include <ringwatch/distributed/rank_domain.h>
-#include <ringwatch/distributed/rank_monitor.h>
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/meshes/generators/generators.h>
+#include <ringwatch/monitor/stability_monitor.h>
 
 namespace ringwatch {
 namespace {
@@ -33,13 +33,12 @@ void run(const std::string& folder) {
       RankDomain domain(ranks, halo, part);
       BodySystem system(part.body());
       const std::unique_ptr<Integrator> integrator = makeIntegrator("symplectic-euler");
-      RankMonitor monitor(ranks, halo, part, {.limit = 2.0});
+      StabilityMonitor monitor(part.body(), {.limit = 2.0});
       State state = system.initialState();
       StepEvaluation evaluation;
       const double h = 1e-4;
       for (int step = 0; step <= 100; ++step) {
-        int asked = 0;
-        const MonitorReport& report = monitor.observe(step, state.time, state.x, state.v, h, evaluation, asked,
+        const MonitorReport& report = monitor.observe(step, state.time, state.x, state.v, h, &evaluation,
                                                       [&] { system.complete(state, evaluation); });
         if (step % 50 == 0) {
           const NodeVectors x = gathered(ranks, part, state.x);
