@@ -21,8 +21,9 @@ BASES = {"m": (1, 0, 0), "kg": (0, 1, 0), "s": (0, 0, 1), "N": (1, 1, -2), "Pa":
 # What one of SI is in the system, of length, mass and time, and what labels call s and J.
 SYSTEMS = {"mm-t-s": ((1e3, 1e-3, 1), "_s", "_mJ"), "mm-kg-ms": ((1e3, 1, 1e3), "_ms", "_J"), "cm-g-us": ((1e2, 1e3, 1e6), "_us", "_Mbar cm3"),
            "none": ((1, 1, 1), "", "")}
-# With the largest difference along the run, as a share of the largest value: three times what was seen.
-CASES = [("stretch_bar", "mm-t-s", 5e-4), ("hammered_bar", "mm-t-s", 2e-12), ("hammered_bar", "mm-kg-ms", 2e-12), ("stretch_bar", "cm-g-us", 5e-4),
+# With the largest difference along the run, as a share of the largest value: three times what was seen. The exchange bound of hammered_bar is made in
+# single precision and proven in double.
+CASES = [("stretch_bar", "mm-t-s", 5e-4), ("hammered_bar", "mm-t-s", 1e-8), ("hammered_bar", "mm-kg-ms", 1e-8), ("stretch_bar", "cm-g-us", 5e-4),
          ("swinging_bar", "none", 0)]
 
 
