@@ -310,6 +310,38 @@ TEST_F(Audits, ReadLegacyFilesWithoutArrays) {
   expectRefused("audit a0.vtk a1.vtk" + law, "the number of CELL_DATA is 2; there are 1");
 }
 
+// With C = a M the step h of a mode whose undamped one is h0 has 1 - a h/2 - (h/h0)² = 0.
+TEST_F(Audits, CountElementsThatDamp) {
+  writeVtk("a0.vtk", 0, 0, [](const Eigen::Vector3d& X) { return X; });
+  writeVtk("a1.vtk", 0.1, 100, [](const Eigen::Vector3d& X) { return Eigen::Vector3d(1.5 * X); });
+  const auto stepsWith = [&](const std::string& damping) {
+    folder_.write("scene.toml",
+                  "mesh = {file = \"a0.vtk\"}\nintegrator = {step = 1e-5, end = 1}\nmaterial = {model = \"stvk\", "
+                  "young = 30e3, poisson = 0.3, density = "
+                  "1000" +
+                      damping);
+    return audit("a0.vtk a1.vtk --step 1e-5 --scene scene.toml", 0)["history"];
+  };
+  const Json undamped = stepsWith("}\n"), damped = stepsWith(", mass_damping = 20}\n"),
+             bulk = stepsWith("}\ndamping = {bulk_viscosity = true, quadratic_bulk_viscosity = 0}\n");
+  const auto withMassDamping = [](double h0) {
+    const double q = 20 * h0 / 4;
+    return h0 * (std::sqrt(1 + q * q) - q);
+  };
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double safe = undamped[i]["safe"], optimistic = undamped[i]["optimistic"];
+    EXPECT_LE(damped[i]["safe"].get<double>(), withMassDamping(optimistic)) << i;
+    EXPECT_GE(damped[i]["optimistic"].get<double>(), withMassDamping(safe)) << i;
+    EXPECT_GT(damped[i]["safe"].get<double>(), 0.99 * withMassDamping(safe)) << i;
+    EXPECT_LT(bulk[i]["optimistic"].get<double>(), safe) << i;
+  }
+  stepsWith("}\ndamping = {bulk_viscosity = true}\n");
+  const std::string arguments = "audit a0.vtk a1.vtk --scene scene.toml";
+  EXPECT_THAT(call(arguments).out, HasSubstr("the results tell no velocities: quadratic bulk viscosity"));
+  expectRefused(arguments + " --limit 2", "--limit: elements damp");
+  EXPECT_EQ(call(arguments + " --report page.html").status, 0);
+}
+
 // Of a run of our own: the brackets of its frames are those that inspect tells.
 TEST_F(Audits, AgreeWithInspectAboutFrames) {
   folder_.write("scene.toml", test::tiny);
