@@ -58,15 +58,51 @@ detail::ResultFrame readFrame(const fs::path& file, const std::vector<std::strin
   return detail::readVtuResult(file, text, names, notes);
 }
 
-void requireSameElements(const Mesh& first, const Mesh& mesh, const std::string& where) {
-  const auto same = [](const MeshBlock& a, const MeshBlock& b) {
-    return a.type == b.type && a.connectivity == b.connectivity;
+/// Puts positions, displacements and deleted elements of a state in the order of the first one's, by the numbers of
+/// nodes and elements where both have some. Throws InputError where they are not the same.
+void orderAs(const Mesh& first, detail::ResultFrame& frame, const std::string& where) {
+  const auto refuse = [&](const auto&... what) {
+    throw InputError(joinText(where, ": ", what..., "; every state must have the same"));
   };
-  if (first.nodeCount() != mesh.nodeCount() || first.blocks.size() != mesh.blocks.size() ||
-      !std::equal(first.blocks.begin(), first.blocks.end(), mesh.blocks.begin(), same))
-    throw InputError(joinText(where, ": has ", mesh.nodeCount(), " nodes and ", mesh.elementCount(),
-                              " elements, which are not the ", first.nodeCount(), " and ", first.elementCount(),
-                              " of the first state; every state must have the same"));
+  const Mesh& mesh = frame.mesh;
+  if (first.nodeCount() != mesh.nodeCount() || first.elementCount() != mesh.elementCount())
+    refuse("has ", mesh.nodeCount(), " nodes and ", mesh.elementCount(), " elements, the first state ",
+           first.nodeCount(), " and ", first.elementCount());
+  NumberIndex numbers(mesh);
+  const bool nodesByNumber = !first.nodeIds.empty() && !mesh.nodeIds.empty() && first.nodeIds != mesh.nodeIds;
+  std::vector<std::int32_t> order(first.nodeCount()), inFirst(first.nodeCount());
+  for (std::int32_t i = 0; i < static_cast<std::int32_t>(order.size()); ++i) {
+    const auto node = nodesByNumber ? numbers.node(first.nodeId(i)) : i;
+    if (!node) refuse("has no node ", first.nodeId(i), ", which the first state has");
+    order[static_cast<std::size_t>(i)] = *node;
+    inFirst[static_cast<std::size_t>(*node)] = i;
+  }
+  const auto numbered = [](const MeshBlock& block) { return !block.ids.empty(); };
+  const bool byNumber = std::ranges::all_of(first.blocks, numbered) && std::ranges::all_of(mesh.blocks, numbered);
+  std::vector<std::vector<bool>> deleted;
+  for (std::size_t b = 0; b < first.blocks.size(); ++b) {
+    const MeshBlock& block = first.blocks[b];
+    deleted.emplace_back(block.elementCount());
+    for (std::size_t e = 0; e < block.elementCount(); ++e) {
+      const std::optional<ElementRef> own = byNumber ? numbers.element(block.id(e)) : ElementRef{b, e};
+      if (!own) refuse("has no element ", block.id(e), ", which the first state has");
+      const auto ownBlock = static_cast<std::size_t>(own->block), ownElement = static_cast<std::size_t>(own->element);
+      const bool isThere = ownBlock < mesh.blocks.size() && ownElement < mesh.blocks[ownBlock].elementCount() &&
+                           mesh.blocks[ownBlock].type == block.type;
+      const auto isSame = [&](std::int32_t node, std::int32_t theirs) {
+        return node == inFirst[static_cast<std::size_t>(theirs)];
+      };
+      const std::int32_t* nodes = block.element(e);
+      if (!isThere ||
+          !std::equal(nodes, nodes + block.nodesPerElement(), mesh.blocks[ownBlock].element(ownElement), isSame))
+        refuse("element ", block.id(e), " has other nodes than in the first state");
+      if (!frame.deleted.empty()) deleted[b][e] = frame.deleted[ownBlock][ownElement];
+    }
+  }
+  if (!frame.deleted.empty()) frame.deleted = std::move(deleted);
+  if (!nodesByNumber) return;
+  frame.mesh.X = NodeVectors(mesh.X(Eigen::all, order));
+  if (frame.u) frame.u = NodeVectors((*frame.u)(Eigen::all, order));
 }
 
 /// Whole numbers that differ; empty for others.
@@ -154,42 +190,62 @@ void ResultSeries::openFrd(const fs::path& file, const std::string& displacement
 
 void ResultSeries::openVtk(const std::vector<fs::path>& files, const std::string& displacement,
                            std::vector<std::string>* notes) {
-  std::vector<fs::path> frames;
-  std::vector<std::optional<double>> times;
+  std::vector<VtkFile> frames;
   for (const fs::path& file : files) {
     static const std::set<std::string> known{".pvd", ".vtu", ".pvtu", ".vtk"};
     if (!known.contains(file.extension().string()))
       throw InputError(file.string() + ": holds no results; give a .frd, .pvd, .vtu, .pvtu or .vtk file");
     if (file.extension() != ".pvd") {
-      frames.push_back(pieceOf(file));
-      times.emplace_back();
+      frames.push_back({pieceOf(file), {}});
       continue;
     }
-    for (const PvdEntry& entry : readPvd(file)) {
-      frames.push_back(pieceOf(file.parent_path() / entry.file));
-      times.emplace_back(entry.time);
-    }
+    for (const PvdEntry& entry : readPvd(file))
+      frames.push_back({pieceOf(file.parent_path() / entry.file), entry.time});
   }
   if (frames.empty()) throw InputError(files.front().string() + ": lists no files");
+  const std::size_t before = notes ? notes->size() : 0;
+  openFrames(frames, displacement, notes);
+  const auto time = [](const ResultEntry& entry) { return entry.time; };
+  if (!std::ranges::all_of(entries_, [](const ResultEntry& entry) { return entry.time.has_value(); }) ||
+      std::ranges::is_sorted(entries_, {}, time))
+    return;
+  // The first one is at rest.
+  for (std::size_t i = 0; i < frames.size(); ++i) frames[i].time = entries_[i].time;
+  std::ranges::stable_sort(frames, {}, &VtkFile::time);
+  if (notes) notes->resize(before);
+  openFrames(frames, displacement, notes);
+  if (notes)
+    notes->push_back(joinText("the states were not given in the order of their times; they are taken in it, from ",
+                              frames.front().path.string(), " to ", frames.back().path.string()));
+}
+
+void ResultSeries::openFrames(const std::vector<VtkFile>& frames, const std::string& displacement,
+                              std::vector<std::string>* notes) {
+  entries_.clear();
+  deleted_.clear();
   const std::vector<std::string> names = displacement.empty() ? usualNames : std::vector<std::string>{displacement};
-  detail::ResultFrame first = readFrame(frames.front(), names, notes);
+  detail::ResultFrame first = readFrame(frames.front().path, names, notes);
   displacement_ = first.displacement;
   if (!first.u && !displacement.empty())
-    throw InputError(joinText(frames.front().string(), ": no field ", detail::quoted(displacement),
+    throw InputError(joinText(frames.front().path.string(), ": no field ", detail::quoted(displacement),
                               " of three components; ",
                               first.vectors.empty() ? "there are none at the points" : "there are " + first.vectors));
   mesh_ = std::move(first.mesh);
   if (first.deformedPoints && first.u) mesh_.X -= *first.u;
   bool moved = first.u.has_value();
-  for (std::size_t i = 0; i < frames.size(); ++i) {
-    const detail::ResultFrame frame = readFrame(frames[i], names, nullptr);
-    requireSameElements(mesh_, frame.mesh, frames[i].string());
+  const auto readInOrder = [this, names](const fs::path& path) {
+    detail::ResultFrame frame = readFrame(path, names, nullptr);
+    orderAs(mesh_, frame, path.string());
+    return frame;
+  };
+  for (const VtkFile& file : frames) {
+    const detail::ResultFrame frame = readInOrder(file.path);
     moved = moved || frame.mesh.X != mesh_.X;
-    entries_.push_back({times[i] ? times[i] : frame.time, frame.increment, frames[i].string()});
+    entries_.push_back({file.time ? file.time : frame.time, frame.increment, file.path.string()});
     deleted_.push_back(frame.deleted);
   }
   if (!moved)
-    throw InputError(joinText(frames.front().string(),
+    throw InputError(joinText(frames.front().path.string(),
                               ": the points of all states are the same, and there is none of the fields ",
                               "displacement, U and so on; name it by --displacement",
                               first.vectors.empty() ? "" : ", one of " + first.vectors));
@@ -197,12 +253,12 @@ void ResultSeries::openVtk(const std::vector<fs::path>& files, const std::string
     notes->push_back(
         "there is no displacement: the points are taken for positions, and those of the first state for "
         "positions at rest");
-  positions_ = [this, frames, names](std::size_t i) {
-    detail::ResultFrame frame = readFrame(frames[i], names, nullptr);
+  positions_ = [this, frames, readInOrder](std::size_t i) {
+    detail::ResultFrame frame = readInOrder(frames[i].path);
     if (displacement_.empty() || frame.deformedPoints) return std::move(frame.mesh.X);
     if (!frame.u)
-      throw InputError(
-          joinText(frames[i].string(), ": no field ", detail::quoted(displacement_), ", which the first state has"));
+      throw InputError(joinText(frames[i].path.string(), ": no field ", detail::quoted(displacement_),
+                                ", which the first state has"));
     return NodeVectors(mesh_.X + *frame.u);
   };
 }

@@ -18,8 +18,8 @@ struct ResultEntry {
   std::string where;                      // "bar.frd:297", for messages
 };
 
-/// States that a program has left in files: a .pvd with its .vtu files, .vtu or legacy .vtk files in the order given,
-/// or an .frd file of CalculiX (text).
+/// States that a program has left in files: a .pvd with its .vtu files, .vtu or legacy .vtk files, in the order of
+/// their times where all have one and else as given, or an .frd file of CalculiX (text).
 class ResultSeries {
  public:
   /// displacement: the name of the field, m; "" takes the first of the usual names that there is, and without any the
@@ -46,6 +46,12 @@ class ResultSeries {
   void openFrd(const std::filesystem::path& file, const std::string& displacement, std::vector<std::string>* notes);
   void openVtk(const std::vector<std::filesystem::path>& files, const std::string& displacement,
                std::vector<std::string>* notes);
+
+  struct VtkFile {
+    std::filesystem::path path;
+    std::optional<double> time;  // s, of a .pvd
+  };
+  void openFrames(const std::vector<VtkFile>& frames, const std::string& displacement, std::vector<std::string>* notes);
 
   Mesh mesh_;
   std::vector<ResultEntry> entries_;

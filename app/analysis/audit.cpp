@@ -11,6 +11,7 @@
 #include <ringwatch/app/scene/capabilities.h>
 #include <ringwatch/app/scene/integrator_catalog.h>
 #include <ringwatch/app/scene/scene.h>
+#include <ringwatch/app/scene/scene_discrete.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/base/markup.h>
@@ -79,25 +80,34 @@ void applyLaw(Scene& scene, const AuditOptions& options) {
   useUnits(options.units.value_or(scene.units));
 }
 
-/// The rule of the run's steps, its limit h omega, and the integrator, where that is known.
-StepRule ruleOf(const Scene& scene, const AuditOptions& options, double& limit, const IntegratorInfo*& integrator) {
+/// A rule of the steps that is exact at the safe step of a body's state.
+using RuleAt = std::function<StepRule(Body&, const NodeVectors&)>;
+
+/// The rule of the run's steps, its limit h omega, and the integrator, where that is known, which becomes the scene's.
+/// scene: by reference.
+RuleAt ruleOf(Scene& scene, const AuditOptions& options, double& limit, const IntegratorInfo*& integrator) {
   integrator = nullptr;
   if (options.limit) {
     if (!(*options.limit > 0 && std::isfinite(*options.limit)))
       throw InputError(fmt::format("--limit: {} is out of range; must be > 0", *options.limit));
     if (!options.integrator.empty()) throw InputError("--limit: goes without --integrator, whose limit is known");
-    return StepRule(limit = *options.limit);
+    if (scene.hasElementDamping())
+      throw InputError("--limit: elements damp, whose share of the limit is known by --integrator alone");
+    limit = *options.limit;
+    return [limit](const Body&, const NodeVectors&) { return StepRule(limit); };
   }
-  const std::string name = options.integrator.empty() ? "symplectic-euler" : options.integrator;
-  const IntegratorInfo* info = integratorCatalog().find(name);
+  scene.method = options.integrator.empty() ? "symplectic-euler" : options.integrator;
+  const IntegratorInfo* info = integratorCatalog().find(scene.method);
   if (info == nullptr || !hasCriticalStep(*info))
     throw InputError(
         fmt::format("--integrator: {} is no integrator with a critical step; ringwatch help integrators "
                     "has those, and --limit takes a number",
-                    inQuotes(name)));
+                    inQuotes(scene.method)));
   integrator = info;
   limit = info->imaginaryLimit;
-  return stepRule(*info, scene.damping);
+  return [&scene](Body& body, const NodeVectors& x) {
+    return ruleAtOwnStep(scene, body, DampingRates::atRest, ownStepTolerance, stepOfTopMode(body, x)).rule;
+  };
 }
 
 /// Which node of the results each node of the body is; -1 for one that they lack, which is at rest.
@@ -157,7 +167,7 @@ std::vector<std::optional<double>> stepsTaken(const std::vector<ResultEntry>& en
 }
 
 /// body: nullptr where every element is deleted.
-AuditedState audited(const Body* body, const NodeVectors& x, const StepRule& rule, AuditedState state) {
+AuditedState audited(Body* body, const NodeVectors& x, const RuleAt& ruleAt, AuditedState state) {
   for (Eigen::Index i = 0; i < x.cols(); ++i) state.notFinite += x.col(i).allFinite() ? 0 : 1;
   if (state.notFinite > 0) {
     state.why = fmt::format("{} of {} nodes are not finite", state.notFinite, x.cols());
@@ -171,7 +181,7 @@ AuditedState audited(const Body* body, const NodeVectors& x, const StepRule& rul
   Body::Workspace workspace;
   state.strainEnergy = body->energy(x, workspace);
   try {
-    state.bracket = criticalStep(*body, x, rule);
+    state.bracket = criticalStep(*body, x, ruleAt(*body, x));
   } catch (const NumericalError& fault) {
     state.why = fault.what();
   }
@@ -181,12 +191,12 @@ AuditedState audited(const Body* body, const NodeVectors& x, const StepRule& rul
 /// The audited body without the elements that the other program has deleted; their masses stay at their nodes.
 class StandingBody {
  public:
-  explicit StandingBody(const Body& whole) : whole_(whole), numbers_(whole.mesh()) {}
+  explicit StandingBody(Body& whole) : whole_(whole), numbers_(whole.mesh()) {}
 
   /// deleted: elements of the results, which the body has by the same numbers or, without a scene, in the same places.
   /// nullptr where no element is left.
-  const Body* without(const std::vector<std::vector<bool>>& deleted, const Mesh& results, bool samePlaces,
-                      const std::string& where) {
+  Body* without(const std::vector<std::vector<bool>>& deleted, const Mesh& results, bool samePlaces,
+                const std::string& where) {
     if (deleted != deleted_) {
       deleted_ = deleted;
       left_.reset();
@@ -221,7 +231,7 @@ class StandingBody {
     throw InputError(fmt::format("{}: element {} is deleted, which the scene's mesh does not have", where, id));
   }
 
-  const Body& whole_;
+  Body& whole_;
   NumberIndex numbers_;
   std::vector<std::vector<bool>> deleted_, stays_;
   std::optional<Body> left_;
@@ -422,11 +432,15 @@ std::string junitText(const Json& audit) {
 AuditResult auditResults(const AuditOptions& options) {
   Scene scene = sceneOfAudit(options);
   applyLaw(scene, options);
-  requireTaken(scene, SceneUse::audit);
   double limit = 0;
   const IntegratorInfo* integrator = nullptr;
-  const StepRule rule = ruleOf(scene, options, limit, integrator);
+  const RuleAt ruleAt = ruleOf(scene, options, limit, integrator);
+  requireTaken(scene, SceneUse::audit);
   std::vector<std::string> notes;
+  if (scene.quadraticBulkViscosity > 0)
+    notes.push_back(
+        "the results tell no velocities: quadratic bulk viscosity, which shortens the step of elements while they are "
+        "pressed together, is not counted; all other damping is");
   const ResultSeries series(options.results, options.displacement, &notes);
   const std::string name = options.results.front().string();
 
@@ -438,7 +452,7 @@ AuditResult auditResults(const AuditOptions& options) {
   scene.forces.clear();
   scene.initials.clear();
   scene.pressures.clear();
-  const Body body = sceneBody(scene, std::move(mesh), options.threads);
+  Body body = sceneBody(scene, std::move(mesh), options.threads);
   const std::vector<std::int32_t> same =
       options.scene.empty() ? std::vector<std::int32_t>() : sameNodes(body.mesh(), series.mesh(), name);
 
@@ -457,9 +471,9 @@ AuditResult auditResults(const AuditOptions& options) {
   ProgressLine progress(true);
   StandingBody standing(body);
   for (std::size_t i = 0; i < entries.size(); i += static_cast<std::size_t>(options.every)) {
-    const Body* left = standing.without(series.deleted(i), series.mesh(), options.scene.empty(), entries[i].where);
+    Body* left = standing.without(series.deleted(i), series.mesh(), options.scene.empty(), entries[i].where);
     states.push_back(
-        audited(left, positions(i), rule, {i, entries[i].time, steps[i], entries[i].increment, entries[i].where}));
+        audited(left, positions(i), ruleAt, {i, entries[i].time, steps[i], entries[i].increment, entries[i].where}));
     AuditedState& state = states.back();
     state.deleted = standing.deletedElements();
     if (state.least) state.least->element = standing.inWhole(state.least->element);
@@ -476,6 +490,8 @@ AuditResult auditResults(const AuditOptions& options) {
         fmt::format("elements that the other program has deleted are left out of their states, {} of {} in "
                     "state {}; their masses stay at their nodes",
                     most->deleted, body.mesh().elementCount(), most->index + 1));
+  // Last of all, so that the body counts its damping by the rule that the page is given.
+  const StepRule rule = ruleAt(body, body.mesh().X);
   const CriticalStep rest = criticalStep(body, body.mesh().X, rule);
 
   AuditResult result;

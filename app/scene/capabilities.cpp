@@ -188,7 +188,7 @@ constexpr Limit limits[] = {
     {{U::stretch}, {F::elementDamping}, "what damps is not bounded over a range of stretches"},
     {{U::stretch}, {F::friction}, "its damping grows with the depth to which nodes come"},
     {{U::scaleMass}, forces, "it weighs the stiffness of elements alone"},
-    {{U::audit}, forces, "it audits undamped elements alone"},
+    {{U::audit}, {F::discrete, F::rigid}, "it audits elements alone"},
     {{U::audit}, {F::cuts, F::erosion}, "the states that it is given are of elements that stay"},
     {{U::advise, U::suggest, U::scaleMass}, {F::cuts}, "it is of the body before the first cut", left, told},
     {{U::suggest, U::scaleMass}, {F::erosion}, "it is of the body with all its elements", left, told},

@@ -929,10 +929,7 @@ class DeckReader : DeckWriter {
     const Eigen::Vector3d direction(lines_.real(words[3], "the direction", position),
                                     lines_.real(words[4], "the direction", position),
                                     lines_.real(words[5], "the direction", position));
-    if (!words[0].empty() && elementsOf(words[0], position).size() != mesh().elementCount())
-      return refuse(position, fmt::format("*DLOAD, GRAV on {}: it is taken for all elements together only, since nodes "
-                                          "are shared with the others",
-                                          inQuotes(words[0])));
+    if (!words[0].empty()) elementsOf(words[0], position);
     if (direction.isZero(0)) lines_.failAt(position, "GRAV: the direction is zero");
     loads_.push_back({"",
                       lines_.real(words[2], "the acceleration", position) * direction.normalized(),
@@ -1186,8 +1183,11 @@ class DeckReader : DeckWriter {
             fmt::format("{}: *DYNAMIC, {} increment {} s: it does not bound the step, which is as large as is "
                         "proven; integrator.step fixes it",
                         where, name, times_[entry]));
-    note(fmt::format("{}: *STEP {}: linear elasticity is {}", lines_.where(step_.position),
-                     nonlinear_ ? "with NLGEOM" : "without NLGEOM", nonlinear_ ? "stvk" : "linear"));
+    note(fmt::format("{}: *STEP {}: linear elasticity is {}{}", lines_.where(step_.position),
+                     nonlinear_ ? "with NLGEOM" : "without NLGEOM", nonlinear_ ? "stvk" : "linear",
+                     isExplicit && !step_.has("NLGEOM") ? ", as in CalculiX; Abaqus/Explicit has large displacements "
+                                                          "unasked, which NLGEOM says here"
+                                                        : ""));
   }
 
   const DeckAmplitude& amplitudeOf(const std::string& name, std::size_t position) const {
@@ -1220,14 +1220,15 @@ class DeckReader : DeckWriter {
     return table;
   }
 
+  void addNodesOf(ElementRef e, std::set<std::int64_t>& ids) {
+    const MeshBlock& block = mesh().blocks[e.block];
+    for (int a = 0; a < block.nodesPerElement(); ++a) ids.insert(mesh().nodeId(block.element(e.element)[a]));
+  }
   /// The nodes of a rigid body, "#3,7".
   std::string nodesOfRigid(const DeckKeyword& keyword) {
     std::set<std::int64_t> ids;
     if (const std::string elements = keyword.value("ELSET"); !elements.empty())
-      for (const ElementRef e : elementsOf(elements, keyword.position)) {
-        const MeshBlock& block = mesh().blocks[e.block];
-        for (int a = 0; a < block.nodesPerElement(); ++a) ids.insert(mesh().nodeId(block.element(e.element)[a]));
-      }
+      for (const ElementRef e : elementsOf(elements, keyword.position)) addNodesOf(e, ids);
     for (const char* key : {"NSET", "TIENSET", "PINNSET"})
       if (const std::string set = keyword.value(key); !set.empty())
         for (const std::int32_t node : nodesOf(selectionOf(set, keyword.position))) ids.insert(mesh().nodeId(node));
@@ -1429,7 +1430,47 @@ class DeckReader : DeckWriter {
                                           inQuotes(name)));
     return {sets.front(), false};
   }
+  /// Makes one load of gravity of those that are equal, set by set. The force on a node is that of its whole mass, so
+  /// that sets must not share nodes with elements without.
+  void joinGravity() {
+    std::vector<DeckLoad> joined;
+    std::vector<std::set<ElementRef>> elements;
+    for (const DeckLoad& load : std::exchange(loads_, {})) {
+      const auto own = load.elements.empty() ? std::vector<ElementRef>() : elementsOf(load.elements, load.position);
+      if (load.elements.empty() || own.size() == mesh().elementCount()) {
+        loads_.push_back(load);
+        continue;
+      }
+      std::size_t i = 0;
+      const auto isApart = [&](ElementRef e) { return !elements[i].contains(e); };
+      while (i < joined.size() && (joined[i].value != load.value || joined[i].amplitude != load.amplitude ||
+                                   !std::ranges::all_of(own, isApart)))
+        ++i;
+      if (i == joined.size()) {
+        joined.push_back(load);
+        elements.emplace_back();
+      }
+      elements[i].insert(own.begin(), own.end());
+    }
+    for (std::size_t i = 0; i < joined.size(); ++i) {
+      if (elements[i].size() != mesh().elementCount()) {
+        std::set<std::int64_t> ids, others;
+        for (std::size_t b = 0; b < mesh().blocks.size(); ++b)
+          for (std::size_t e = 0; e < mesh().blocks[b].elementCount(); ++e)
+            addNodesOf({b, e}, elements[i].contains({b, e}) ? ids : others);
+        for (const std::int64_t id : ids)
+          if (others.contains(id))
+            lines_.failAt(joined[i].position,
+                          fmt::format("*DLOAD, GRAV on {}: its node {} is also one of elements without this load; sets "
+                                      "with equal GRAV must be whole bodies together",
+                                      inQuotes(joined[i].elements), id));
+        joined[i].selection = fmt::format("#{}", fmt::join(ids, ","));
+      }
+      loads_.push_back(joined[i]);
+    }
+  }
   void writeLoads() {
+    joinGravity();
     for (const DeckLoad& load : loads_) {
       if (load.acceleration && !scalings_.empty())
         lines_.failAt(load.position, fmt::format("GRAV with *FIXED MASS SCALING, FACTOR ({}): weight is of the mass "

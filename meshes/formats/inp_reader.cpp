@@ -340,7 +340,7 @@ class Deck {
       for (instance.offset = 10; instance.offset <= largest;) instance.offset *= 10;
     }
     const std::int64_t offset = instance.offset;
-    spend(placed_.nodes.size() + placed_.elements.size(), instance.name, keyword_.position);
+    spend(placed_.nodes.size() + placed_.elements.size(), "instance " + instance.name, keyword_.position);
     const bool still = instance.placement.empty();
     for (const Node& node : placed_.nodes) {
       model_.nodeOfId.emplace(shifted(node.id, offset), model_.nodes.size());
@@ -358,7 +358,7 @@ class Deck {
     for (const auto& [from, to] :
          {std::pair{&placed_.nodeSets, &model_.nodeSets}, {&placed_.elementSets, &model_.elementSets}})
       for (const auto& [key, set] : *from) {
-        spend(set.ranges.size(), set.name, set.position);
+        spend(set.ranges.size(), "set " + set.name, set.position);
         Set& own = to->try_emplace(order_.back() + "." + key, Set{instance.name + "." + set.name, {}, set.position})
                        .first->second;
         for (Range range : set.ranges) {
@@ -506,7 +506,7 @@ class Deck {
   void nodesBetween(std::int64_t first, std::int64_t last, std::int64_t step, std::int64_t intervals,
                     std::size_t position) {
     const Eigen::Vector3d a = placeOf(first, position), b = placeOf(last, position);
-    spend(static_cast<std::uint64_t>(intervals), keyword_.value("NSET"), position);
+    spend(static_cast<std::uint64_t>(intervals), "*" + keyword_.name, position);
     for (std::int64_t i = 0; i <= intervals; ++i) {
       const double share = static_cast<double>(i) / static_cast<double>(intervals);
       const bool isEnd = i == 0 || i == intervals;
@@ -555,7 +555,7 @@ class Deck {
     constexpr std::int64_t most = 1'000'000'000;
     if (n[1] > most / n[4] || n[1] * n[4] > most / n[7])
       lines_.failAt(line.position, joinText("*ELGEN makes more than ", most, " elements"));
-    spend(static_cast<std::uint64_t>(n[1] * n[4] * n[7]), keyword_.value("ELSET"), line.position);
+    spend(static_cast<std::uint64_t>(n[1] * n[4] * n[7]), "*" + keyword_.name, line.position);
     for (std::int64_t layer = 0; layer < n[7]; ++layer)
       for (std::int64_t row = 0; row < n[4]; ++row)
         for (std::int64_t i = 0; i < n[1]; ++i) {
@@ -694,7 +694,7 @@ class Deck {
           lines_.failAt(keyword_.position, joinText("set ", set.name, " is of the nodes of element ", id, " of ", name,
                                                     ", which is not defined above, or has no shape"));
         const std::vector<std::int64_t>& nodes = part().elements[element->second].nodes;
-        spend(nodes.size(), set.name, keyword_.position);
+        spend(nodes.size(), "set " + set.name, keyword_.position);
         for (const std::int64_t node : nodes) set.add(node);
       }
     set.removeRepeated();
@@ -734,7 +734,7 @@ class Deck {
                                                 ", which is not defined above"));
         // A set that comes a second time adds nothing.
         const std::vector<Range>& ranges = other->second.ranges;
-        spend(ranges.size(), set.name, set.position);
+        spend(ranges.size(), "set " + set.name, set.position);
         set.ranges.insert(set.ranges.end(), ranges.begin(), ranges.end());
         if (set.ranges.size() > 2 * set.distinct + 1000) set.removeRepeated();
       }
@@ -778,12 +778,13 @@ class Deck {
   }
 
   /// Counts entries that the file does not spell out one by one, so that a few lines cannot fill the memory.
-  void spend(std::uint64_t entries, const std::string& name, std::size_t position) {
+  void spend(std::uint64_t entries, const std::string& what, std::size_t position) {
     const std::uint64_t most = 10'000'000 + 4 * static_cast<std::uint64_t>(lines_.bytes());
     if (entries > most - spent_)
-      lines_.failAt(position, joinText("set ", name, ": the sets of this file hold more than ", most,
-                                       " members in all, 10 million and 4 for each byte of the file; does a set "
-                                       "hold others again and again?"));
+      lines_.failAt(position,
+                    joinText(what, " makes ", entries, " entries, with which this file holds more than ", most,
+                             " that it does not spell out, 10 million and 4 for each byte; does a set hold "
+                             "others again and again?"));
     spent_ += entries;
   }
   /// Notes the first number of a set that the deck does not have. known: all numbers that exist, sorted.
@@ -809,7 +810,7 @@ class Deck {
                  end = std::upper_bound(begin, known.end(), range.last);
       const auto inside = static_cast<std::uint64_t>(end - begin);
       const std::uint64_t count = static_cast<std::uint64_t>((range.last - range.first) / range.step) + 1;
-      spend(std::min(inside, count), set.name, set.position);
+      spend(std::min(inside, count), "set " + set.name, set.position);
       if (inside <= count) {
         for (auto id = begin; id != end; ++id)
           if ((*id - range.first) % range.step == 0) found(*id);

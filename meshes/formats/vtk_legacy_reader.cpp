@@ -76,7 +76,10 @@ class LegacyReader {
       const std::string key = inUpperCase(cursor_.word("a section"));
       if (key == "POINT_DATA" || key == "CELL_DATA") {
         atPoints = key == "POINT_DATA";
-        tuples = count(key, 1, at);
+        tuples = atPoints ? *points_ : begins_.size() - 1;
+        const std::int64_t told = cursor_.integerText(joinText("the number of ", key));
+        if (told != static_cast<std::int64_t>(tuples))
+          cursor_.failAt(at, joinText("the number of ", key, " is ", told, "; there are ", tuples));
         cursor_.endRecord();
       } else if (key == "VECTORS" || key == "NORMALS") {
         const std::string name(cursor_.word("the name of the field"));
@@ -168,8 +171,8 @@ class LegacyReader {
   }
 
   void readPoints(std::size_t at) {
-    points_ = true;
     const std::size_t n = count("POINTS", 5, at);
+    points_ = n;
     const Format f = format(cursor_.word("the data type"), at);
     if (!f.real) cursor_.failAt(at, "the data type of POINTS must be float or double");
     if (binary_) cursor_.checkedCount(n, 3 * f.bytes, "POINTS", at);
@@ -330,7 +333,8 @@ class LegacyReader {
   FileCursor cursor_;
   std::string source_;
   MeshBuilder builder_;
-  bool binary_ = false, points_ = false, cells_ = false;
+  bool binary_ = false, cells_ = false;
+  std::optional<std::size_t> points_;  // how many there are
   std::map<std::string, double> numbers_;
   std::vector<std::int64_t> nodes_, types_;
   std::vector<std::size_t> begins_, positions_;

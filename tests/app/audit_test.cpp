@@ -1,7 +1,10 @@
 // Results of other programs: the bracket of their states, and where their run left it.
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <Eigen/Core>
@@ -222,6 +225,121 @@ TEST_F(Audits, NameWhatIsInvertedAndLost) {
   const Json deck = audit("bar.frd --scene bar.inp", 1);
   EXPECT_NEAR(deck["history"][0]["safe"].get<double>() / json["history"][0]["safe"].get<double>(), 1, 1e-12);
   EXPECT_EQ(deck["law"], "stvk");
+}
+
+// In the order of the files' times, whatever that on the command line or in the .pvd is; the first one is at rest.
+TEST_F(Audits, TakeStatesInTheOrderOfTheirTimes) {
+  const auto stretched = [](double by) { return [by](const Eigen::Vector3d& X) { return Eigen::Vector3d(by * X); }; };
+  for (int i = 0; i < 3; ++i) writeVtk(fmt::format("a{}.vtk", i), 0.1 * i, 100 * i, stretched(1 + 0.2 * i), false);
+  const std::string law = test::material, note = "the states were not given in the order of their times";
+  const Json inOrder = audit("a0.vtk a1.vtk a2.vtk" + law, 0);
+  EXPECT_NEAR(inOrder["history"][1]["step"].get<double>(), 1e-3, 1e-15);
+  std::string entries;
+  for (const int i : {2, 0, 1}) entries += fmt::format("<DataSet timestep=\"{}\" file=\"a{}.vtk\"/>\n", 0.1 * i, i);
+  folder_.write("all.pvd", "<VTKFile><Collection>\n" + entries + "</Collection></VTKFile>\n");
+  for (const std::string files : {"a0.vtk a2.vtk a1.vtk", "a2.vtk a0.vtk a1.vtk", "all.pvd"}) {
+    EXPECT_EQ(audit(files + law, 0)["history"], inOrder["history"]) << files;
+    EXPECT_THAT(call("audit " + files + law).out, HasSubstr(note)) << files;
+  }
+  EXPECT_EQ(call("audit a0.vtk a1.vtk a2.vtk" + law).out.find(note), std::string::npos);
+}
+
+// Two tetrahedra on a common face, the second one deleted; a state's nodes and elements may come in any order.
+TEST_F(Audits, MatchNodesAndElementsByTheirNumbers) {
+  struct State {
+    std::vector<int> nodes, elements;  // in the order of the file
+    int nodeShift = 0, elementShift = 0;
+  };
+  const auto write = [&](const std::string& name, double scale, const State& state) {
+    constexpr double places[5][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -1}};
+    constexpr int connectivity[2][4] = {{0, 1, 2, 3}, {0, 2, 1, 4}};
+    std::string points, u, nodes, cells, ids, erosion;
+    for (const int n : state.nodes) {
+      const auto& p = places[n];
+      points += fmt::format("{} {} {}\n", p[0], p[1], p[2]);
+      u += fmt::format("{} {} {}\n", scale * p[0], 2 * scale * p[1], 0);
+      nodes += fmt::format("{}\n", 1001 + n + state.nodeShift);
+    }
+    for (const int e : state.elements) {
+      cells += "4";
+      for (const int n : connectivity[e])
+        cells += fmt::format(" {}", std::ranges::find(state.nodes, n) - state.nodes.begin());
+      cells += "\n";
+      ids += fmt::format("{}\n", 501 + e + state.elementShift);
+      erosion += fmt::format("{}\n", scale > 0 ? e : 0);
+    }
+    folder_.write(name,
+                  fmt::format("# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 5 "
+                              "double\n{}CELLS 2 10\n{}CELL_TYPES 2\n10\n10\nPOINT_DATA 5\nVECTORS U double\n{}"
+                              "SCALARS NODE_ID int 1\nLOOKUP_TABLE default\n{}CELL_DATA 2\nSCALARS ELEMENT_ID int "
+                              "1\nLOOKUP_TABLE default\n{}SCALARS EROSION_STATUS int 1\nLOOKUP_TABLE default\n{}",
+                              points, cells, u, nodes, ids, erosion));
+  };
+  const std::string law = " --step 1e-5" + std::string(test::material);
+  write("s0.vtk", 0, {{0, 1, 2, 3, 4}, {0, 1}});
+  const auto lastOf = [&](const State& state) {
+    write("s1.vtk", 0.1, state);
+    return audit("s0.vtk s1.vtk" + law, 0)["history"][1];
+  };
+  const Json same = lastOf({{0, 1, 2, 3, 4}, {0, 1}});
+  EXPECT_EQ(same["deleted_elements"], 1);
+  for (const State& state :
+       {State{{4, 3, 2, 1, 0}, {1, 0}}, State{{1, 2, 0, 4, 3}, {0, 1}}, State{{0, 1, 2, 3, 4}, {1, 0}}})
+    EXPECT_EQ(lastOf(state), same);
+  for (const auto& [state, what] :
+       {std::pair{State{{0, 1, 2, 3, 4}, {0, 1}, 1, 0}, "s1.vtk: has no node 1001, which"},
+        std::pair{State{{0, 1, 2, 3, 4}, {0, 1}, 0, 7}, "s1.vtk: has no element 501, which"}}) {
+    write("s1.vtk", 0.1, state);
+    expectRefused("audit s0.vtk s1.vtk" + law, what);
+  }
+}
+
+// A file may announce data and have none; as many as there are points and cells.
+TEST_F(Audits, ReadLegacyFilesWithoutArrays) {
+  writeVtk(
+      "a0.vtk", 0, 0, [](const Eigen::Vector3d& X) { return X; }, false);
+  writeVtk("a1.vtk", 0.1, 100, turned, false);
+  const std::string law = test::material,
+                    before = folder_.read("a1.vtk").substr(0, folder_.read("a1.vtk").find("POINT_DATA"));
+  const Json whole = audit("a0.vtk a1.vtk" + law, 0)["history"];
+  for (const std::string data : {"", "POINT_DATA 4\n", "CELL_DATA 1\n", "POINT_DATA 4\nCELL_DATA 1\n"}) {
+    folder_.write("a1.vtk", before + data);
+    EXPECT_EQ(audit("a0.vtk a1.vtk" + law, 0)["history"], whole) << data;
+  }
+  folder_.write("a1.vtk", before + "POINT_DATA 4\nCELL_DATA 2\n");
+  expectRefused("audit a0.vtk a1.vtk" + law, "the number of CELL_DATA is 2; there are 1");
+}
+
+// With C = a M the step h of a mode whose undamped one is h0 has 1 - a h/2 - (h/h0)² = 0.
+TEST_F(Audits, CountElementsThatDamp) {
+  writeVtk("a0.vtk", 0, 0, [](const Eigen::Vector3d& X) { return X; });
+  writeVtk("a1.vtk", 0.1, 100, [](const Eigen::Vector3d& X) { return Eigen::Vector3d(1.5 * X); });
+  const auto stepsWith = [&](const std::string& damping) {
+    folder_.write("scene.toml",
+                  "mesh = {file = \"a0.vtk\"}\nintegrator = {step = 1e-5, end = 1}\nmaterial = {model = \"stvk\", "
+                  "young = 30e3, poisson = 0.3, density = "
+                  "1000" +
+                      damping);
+    return audit("a0.vtk a1.vtk --step 1e-5 --scene scene.toml", 0)["history"];
+  };
+  const Json undamped = stepsWith("}\n"), damped = stepsWith(", mass_damping = 20}\n"),
+             bulk = stepsWith("}\ndamping = {bulk_viscosity = true, quadratic_bulk_viscosity = 0}\n");
+  const auto withMassDamping = [](double h0) {
+    const double q = 20 * h0 / 4;
+    return h0 * (std::sqrt(1 + q * q) - q);
+  };
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double safe = undamped[i]["safe"], optimistic = undamped[i]["optimistic"];
+    EXPECT_LE(damped[i]["safe"].get<double>(), withMassDamping(optimistic)) << i;
+    EXPECT_GE(damped[i]["optimistic"].get<double>(), withMassDamping(safe)) << i;
+    EXPECT_GT(damped[i]["safe"].get<double>(), 0.99 * withMassDamping(safe)) << i;
+    EXPECT_LT(bulk[i]["optimistic"].get<double>(), safe) << i;
+  }
+  stepsWith("}\ndamping = {bulk_viscosity = true}\n");
+  const std::string arguments = "audit a0.vtk a1.vtk --scene scene.toml";
+  EXPECT_THAT(call(arguments).out, HasSubstr("the results tell no velocities: quadratic bulk viscosity"));
+  expectRefused(arguments + " --limit 2", "--limit: elements damp");
+  EXPECT_EQ(call(arguments + " --report page.html").status, 0);
 }
 
 // Of a run of our own: the brackets of its frames are those that inspect tells.

@@ -92,6 +92,30 @@ TEST_F(Decks, LetABodyFly) {
   EXPECT_LT((u.colwise() - expected).cwiseAbs().maxCoeff(), 3e-16);
 }
 
+TEST_F(Decks, SayThatAbaqusHasLargeDisplacementsUnasked) {
+  for (const auto& [parameter, told] : {std::pair{"", true}, {", NLGEOM=NO", false}, {", NLGEOM", false}}) {
+    run(std::string(soft) + step("", joinText("*STEP", parameter, "\n*DYNAMIC, EXPLICIT, DIRECT\n1e-3, 0.05\n")));
+    EXPECT_EQ(out_.find("Abaqus/Explicit has large displacements unasked") != std::string::npos, told) << parameter;
+  }
+}
+
+// Set by set, twice on each element: as once on all with the sum. A cube apart falls by its own load alone.
+TEST_F(Decks, TakeGravityOfSets) {
+  constexpr const char* sets = "*ELSET, ELSET=one\n1\n*ELSET, ELSET=other\n2\n";
+  const double t = 0.05, h = 1e-3, fall = -9.81 * 0.5 * (t * t + h * t);
+  const NodeVectors whole = run(sets + std::string(soft) +
+                                step("*DLOAD\none, GRAV, 5., 0., 0., -1.\none, GRAV, 4.81, 0., 0., -1.\nother, GRAV, "
+                                     "4.81, 0., 0., -1.\n2, GRAV, 5., 0., 0., -1.\n"));
+  EXPECT_LT((whole.colwise() - Eigen::Vector3d(0, 0, fall)).cwiseAbs().maxCoeff(), 3e-16);
+  const NodeVectors apart =
+      run("*NODE\n13, 1, 0, 0\n14, 1.1, 0, 0\n15, 1, 0.1, 0\n16, 1, 0, 0.1\n*ELEMENT, TYPE=C3D4, ELSET=Eall\n3, 13, "
+          "14, 15, 16\n" +
+          std::string(soft) + step("*DLOAD\n3, GRAV, 9.81, 0., 0., -1.\n"));
+  ASSERT_EQ(apart.cols(), 16);
+  EXPECT_LT(apart.leftCols(12).cwiseAbs().maxCoeff(), 3e-16);
+  EXPECT_LT((apart.rightCols(4).colwise() - Eigen::Vector3d(0, 0, fall)).cwiseAbs().maxCoeff(), 3e-16);
+}
+
 // As in CalculiX: a direction has length one, of a node's initial velocities the last counts, loads add up.
 TEST_F(Decks, TakeTheLastVelocityAndTheSumOfLoads) {
   const double t = 0.05, h = 1e-3;
@@ -234,7 +258,10 @@ TEST_F(Decks, RefuseWhatWouldChangeTheMotion) {
   refuse(std::string(soft) + "*SURFACE, NAME=skin\nEall, S1\n" + step("*DSLOAD\nskin, TRVEC, 1e3, 1, 0, 0\n"),
          "deck.inp:35: *DSLOAD: a line must be a surface, P, and a pressure");
   refuse("*ELSET, ELSET=one\n1\n" + std::string(soft) + step("*DLOAD\none, GRAV, 9.81, 0, 0, -1\n"),
-         "it is taken for all elements together only");
+         "*DLOAD, GRAV on \"one\": its node 2 is also one of elements without this load");
+  refuse("*ELSET, ELSET=one\n1\n" + std::string(soft) +
+             step("*DLOAD\none, GRAV, 9.81, 0, 0, -1\n2, GRAV, 9.8, 0, 0, -1\n"),
+         "*DLOAD, GRAV on \"one\": its node 2 is also one of elements without this load");
   refuse(std::string(soft) + step("*BOUNDARY\nright, 1, 1, 1e-3\n"),
          "deck.inp:33: *BOUNDARY: the nodes would jump to their place at once");
   refuse(std::string(soft) + step("*BOUNDARY, AMPLITUDE=none\nright, 1, 1, 1e-3\n"), "there is no *AMPLITUDE \"NONE\"");

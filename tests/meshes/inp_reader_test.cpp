@@ -562,7 +562,9 @@ TEST_F(InpTest, RefusesSetsThatHoldFarMoreThanTheFile) {
   text += "*NODE\n";
   for (int i = 13; i <= 2000; ++i) text += joinText(i, ", ", i, ", 0, 0\n");
   for (int i = 0; i < 8000; ++i) text += joinText("*NSET, NSET=s", i, ", GENERATE\n1, 2000\n");
-  EXPECT_THAT(error(text), HasSubstr("the sets of this file hold more than"));
+  EXPECT_THAT(error(text), HasSubstr("with which this file holds more than "));
+  EXPECT_THAT(error("*NODE\n1, 0, 0, 0\n2000000000, 1, 0, 0\n*NGEN\n1, 2000000000, 1\n"),
+              HasSubstr(":5: *NGEN makes 1999999999 entries"));
 }
 
 }  // namespace
