@@ -40,7 +40,7 @@ TEST_F(Program, InitTakesAMeshWithItsMaterial) {
   // The same mesh and the same material: the bracket is that of inspect, with the end held.
   ASSERT_EQ(call("inspect bar.msh --fix 'x > 0.199' --json bar.json" + std::string(material)).status, 0);
   EXPECT_NEAR(table("out/history.csv").number(0, "safe_s") / json("bar.json")["critical_step"]["safe"].get<double>(), 1,
-              0.02);
+              0.03);
 }
 
 TEST_F(Program, InitAsksOnATerminal) {
