@@ -142,7 +142,8 @@ std::string faultText(StepFault fault, const Json& why) {
 }
 
 bool has(const Json& why, StepFault fault) {
-  return std::ranges::find(why["faults"], stepFaultNames.nameOf(fault)) != why["faults"].end();
+  const Json& faults = why["faults"];
+  return std::find(faults.begin(), faults.end(), stepFaultNames.nameOf(fault)) != faults.end();
 }
 /// Whether springs, contact or dashpots set the step, which no other elements cure.
 bool isDiscrete(const Json& why) {
