@@ -136,7 +136,7 @@ TEST_F(Inspect, ProvesNoStepOfAnIndefiniteTangent) {
       std::string("inspect state.vtu --displacement U --lanczos 1e-3 --stretch 0.4:1.1") + material;
   for (const std::string& more : {std::string(" --exact --certificate a.rwc"), std::string(" --certificate a.rwc")}) {
     const std::string text = call(proofs + more).out;
-    std::string claims = text;
+    const std::string& claims = text;
     for (const char* right : {"and whose tangent is not indefinite", "safe for the highest frequency alone"})
       EXPECT_THAT(claims, HasSubstr(right));
     std::istringstream lines(claims);

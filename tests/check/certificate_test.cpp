@@ -37,7 +37,7 @@ TEST_P(CertificateTest, IsProvenByTheChecker) {
     EXPECT_NEAR(verdict.volume, body.volume(), 1e-14 * body.volume());
     // It says what the bracket says.
     const CriticalStep step = criticalStep(body, x, limit);
-    EXPECT_LE(limit / std::sqrt(certificate.upper.value), step.safe * (1 + 1e-6));
+    EXPECT_LE(limit / std::sqrt(certificate.upper.value), step.optimistic);
     EXPECT_NEAR(limit / std::sqrt(certificate.lower.value), step.optimistic, 1e-8 * step.optimistic);
   }
 }

@@ -363,7 +363,8 @@ TEST(Metrics, ScaleWithSizeStiffnessAndDensity) {
             << metric.name << ", " << subdivision.name << ", " << law.name;
       }
       const CriticalStep before = criticalStep(plain, x, limit), after = criticalStep(changed, size * x, limit);
-      EXPECT_NEAR(after.safe, before.safe / std::sqrt(factor), 1e-8 * after.safe)
+      // The exchange bound is searched in single precision.
+      EXPECT_NEAR(after.safe, before.safe / std::sqrt(factor), 1e-6 * after.safe)
           << subdivision.name << ", " << law.name;
       EXPECT_NEAR(after.optimistic, before.optimistic / std::sqrt(factor), 1e-6 * after.optimistic)
           << subdivision.name << ", " << law.name;
