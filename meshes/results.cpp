@@ -205,13 +205,13 @@ void ResultSeries::openVtk(const std::vector<fs::path>& files, const std::string
   if (frames.empty()) throw InputError(files.front().string() + ": lists no files");
   const std::size_t before = notes ? notes->size() : 0;
   openFrames(frames, displacement, notes);
-  const auto time = [](const ResultEntry& entry) { return entry.time; };
+  const auto isBefore = [](const auto& one, const auto& other) { return one.time < other.time; };
   if (!std::ranges::all_of(entries_, [](const ResultEntry& entry) { return entry.time.has_value(); }) ||
-      std::ranges::is_sorted(entries_, {}, time))
+      std::is_sorted(entries_.begin(), entries_.end(), isBefore))
     return;
   // The first one is at rest.
   for (std::size_t i = 0; i < frames.size(); ++i) frames[i].time = entries_[i].time;
-  std::ranges::stable_sort(frames, {}, &VtkFile::time);
+  std::stable_sort(frames.begin(), frames.end(), isBefore);
   if (notes) notes->resize(before);
   openFrames(frames, displacement, notes);
   if (notes)
