@@ -20,10 +20,10 @@ namespace ringwatch {
 ///
 /// The P_e are found by minimising Σ |P_e's negative part|² over the affine set: a step removes the negative parts and
 /// spreads what is then missing from the sum evenly over the elements that share a block (a projection), accelerated
-/// after Nesterov (Beck & Teboulle 2009) and restarted when the sum rises (O'Donoghue & Candès 2015). Every iterate
-/// gives a bound; the best counts. An element is left alone while its least eigenvalue cannot have sunk below zero,
-/// which the norms of its changes tell (Weyl). Theorem 12, docs/theory/exchange.md; that iterates keep the sum:
-/// Theorem 13.
+/// after Nesterov (Beck & Teboulle 2009) and restarted when the sum rises (O'Donoghue & Candès 2015). An element
+/// is left alone while its least eigenvalue cannot have sunk below zero, which the norms of its changes tell (Weyl).
+/// Iterations work in single precision; once they promise enough, and at the end, the sum is made right and every eps_e
+/// is proven in double precision. Theorem 12, docs/theory/exchange.md; that iterates keep the sum: Theorem 13.
 struct ExchangeBound {
   UpperBound upper;
   int iterations = 0;
@@ -31,8 +31,8 @@ struct ExchangeBound {
 };
 
 /// x: 3×N, m. weights: evaluated at x; the start. sigma: rad²/s², best just above the truth; any value gives a bound.
-/// accept: stops when the bound is at or below it. Memory: 18 n² numbers an element of n nodes, exchangeBoundBytes.
-/// The value is infinite when the tangent is not finite.
+/// accept: stops when the bound is at or below it. Memory: exchangeBoundBytes, some 60 n² bytes an element
+/// of n nodes. The value is infinite when the tangent is not finite.
 ExchangeBound exchangeUpperBound(const TangentSource& source, NodeVectorsView x, const NodalBound& weights,
                                  double sigma, double accept, int maxIterations);
 /// Memory that it needs, bytes.
