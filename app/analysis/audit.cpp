@@ -74,8 +74,7 @@ void applyLaw(Scene& scene, const AuditOptions& options) {
   }
   for (const auto& [name, value] : options.parameters) material.parameters.set(name, value);
   for (const std::string& text : options.fix) scene.fixes.push_back(parseFix(text, "--fix"));
-  for (const auto& [element, rule] : parseRules(options.rules, "--rule"))
-    for (SceneMaterial& one : scene.materials) one.rules[element] = rule;
+  overrideRules(scene, options.rules, "--rule");
   scene.lumping = options.lumping.value_or(scene.lumping);
   useUnits(options.units.value_or(scene.units));
 }

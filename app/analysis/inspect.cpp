@@ -146,8 +146,7 @@ void override(Scene& scene, const InspectOptions& options) {
   scene.lumping = options.lumping.value_or(scene.lumping);
   scene.method = options.integrator.value_or(scene.method);
   useUnits(options.units.value_or(scene.units));
-  for (const auto& [element, rule] : parseRules(options.rules, "--rule"))
-    for (SceneMaterial& one : scene.materials) one.rules[element] = rule;
+  overrideRules(scene, options.rules, "--rule");
   for (const std::string& text : options.fix) scene.fixes.push_back(parseFix(text, "--fix"));
 }
 

@@ -227,4 +227,9 @@ ElementRules parseRules(const std::vector<std::string>& texts, const std::string
   return rules;
 }
 
+void overrideRules(Scene& scene, const std::vector<std::string>& texts, const std::string& origin) {
+  for (const auto& [element, rule] : parseRules(texts, origin))
+    for (SceneMaterial& material : scene.materials) material.rules[element] = rule;
+}
+
 }  // namespace ringwatch

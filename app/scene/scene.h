@@ -342,6 +342,8 @@ Scene sceneOfRun(const std::filesystem::path& folder);
 /// `hex8=RULE` and so on as element name -> quadrature rule name. Throws InputError "origin: …" for another form, an
 /// unknown element or an unknown rule.
 ElementRules parseRules(const std::vector<std::string>& texts, const std::string& origin);
+/// Gives them to all materials of a scene, in place of rules for the same elements.
+void overrideRules(Scene& scene, const std::vector<std::string>& texts, const std::string& origin);
 /// Which of x, y, z a text such as "xy" names; nothing unless it names some, each once.
 std::optional<std::array<bool, 3>> parseComponents(std::string_view text);
 /// A condition or `set:NAME`, and behind a colon the components that are held, e.g. "x < 1e-6:x" for a roller; all of
