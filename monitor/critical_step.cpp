@@ -32,6 +32,8 @@ CriticalStep criticalStep(const Body& body, NodeVectorsView x, const StepRule& l
                           const CriticalStepOptions& options) {
   requireProof(limit);
   body.checkNodal("x", x);
+  if (!(options.width >= 0) || !std::isfinite(options.width))
+    throw InputError(joinText("width = ", options.width, ": must be >= 0, e.g. 0.05 for 5 %"));
   if (!body.domain().whole()) {
     if (options.lanczos)
       throw InputError("a step that is safe with a probability: is not computed on a part of a body");

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include <ringwatch/body/body.h>
+#include <ringwatch/monitor/bounds/exchange_bound.h>
 #include <ringwatch/monitor/bounds/lanczos_bound.h>
 #include <ringwatch/monitor/step_limit.h>
 
@@ -24,7 +25,7 @@ using BracketListener = std::function<void(double safe, double optimistic)>;
 /// further; more makes it faster. lanczos: fills in CriticalStep::probable (Theorem 6), which is far tighter than the
 /// proven side on regular grids. evaluations: unless nullptr, the element evaluations that it took are added to it.
 struct CriticalStepOptions {
-  double width = 0.01;
+  double width = ExchangePolicy::width;
   std::optional<LanczosOptions> lanczos = std::nullopt;
   BracketListener listener = {};
   std::int64_t* evaluations = nullptr;
@@ -36,9 +37,9 @@ struct CriticalStepOptions {
 /// to twenty times as long. Optimistic side: reduced 1-rings and Rayleigh quotients (Theorems 9 and 8,
 /// docs/theory/rings_and_rayleigh.md). From eigenvalue to step: Theorem 27, docs/theory/integrators.md.
 /// x: 3×N, m. limit: the integrator's largest stable h·omega, or a proven rule. Throws InputError for a rule that is
-/// not proven and when x is not 3×N; NumericalError where the tangent is not finite. On a part of a body
-/// (body/domain.h) the nodal bound and a Rayleigh quotient alone, without `lanczos`, whatever the width; all processes
-/// get the same, and each adds its own evaluations. Collective.
+/// not proven, for a negative width and when x is not 3×N; NumericalError where the tangent is not finite. On a part of
+/// a body (body/domain.h) the nodal bound and a Rayleigh quotient alone, without `lanczos`, whatever the width; all
+/// processes get the same, and each adds its own evaluations. Collective.
 CriticalStep criticalStep(const Body& body, NodeVectorsView x, const StepRule& limit,
                           const CriticalStepOptions& options = {});
 

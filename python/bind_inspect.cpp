@@ -39,8 +39,6 @@ py::object inspect(HeldBody& held, const py::object& positions, double limit, co
   const Body& body = held.body;
   if (!(limit > 0) || !std::isfinite(limit))
     throw InputError(joinText("limit = ", limit, ": must be > 0 and finite, an integrator's largest stable h omega"));
-  if (!(width >= 0) || !std::isfinite(width))
-    throw InputError(joinText("width = ", width, ": must be >= 0, e.g. 0.05 for 5 %"));
   const NodeVectorsView x =
       positions.is_none() ? NodeVectorsView(body.mesh().X) : nodalOf("x", positions, body.nodeCount());
   for (const std::string& name : names) metricDirection(name, body);  // throws before anything is computed

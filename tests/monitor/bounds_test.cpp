@@ -114,6 +114,7 @@ TEST(Bounds, AreAsNarrowAsIsAskedFor) {
     for (const double jitter : {0.0, 0.2}) {
       const Body body = test::boxBody(subdivision, "stvk", {4, 3, 3}, jitter);
       const double exact = stepFor(DenseTangent(body, body.mesh().X).largest(), limit);
+      EXPECT_THROW(criticalStep(body, body.mesh().X, limit, {.width = -0.1}), InputError);
       std::int64_t before = std::numeric_limits<std::int64_t>::max();
       for (const double width : {0.01, 0.05, 0.3}) {
         std::int64_t evaluations = 0;
