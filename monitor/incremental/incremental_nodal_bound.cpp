@@ -45,6 +45,12 @@ void IncrementalNodalBound::rebuild(NodeVectorsView x, const SweepTarget& enough
   tightOverLower_ = 0;
 }
 
+NodalBound IncrementalNodalBound::weightsAtRest() const {
+  NodalBound weights(body_);
+  weights.evaluate(body_.mesh().X, policy_.sweeps, NodalBound::Start::rows, policy_.leastGain);
+  return weights;
+}
+
 void IncrementalNodalBound::start(NodeVectorsView x, double sigma, bool newWeights) {
   const bool first = !started_;
   state_.setCertifiedEigenvalue(sigma);

@@ -64,11 +64,15 @@ class IncrementalNodalBound {
   /// early; else 0.
   double takeTight() { return std::exchange(tight_, 0); }
 
+  /// Weights for the reference configuration, swept as those of a rebuild are.
+  NodalBound weightsAtRest() const;
   /// Whether the sweeps of the last rebuild were ended early: it proves no more than was wanted.
   bool endedEarly() const { return endedEarly_; }
 
   double certifiedEigenvalue() const { return state_.certifiedEigenvalue(); }
   const NodalBound& weights() const { return state_.weights(); }
+  /// l_e when the element was evaluated last, N/m, rounded up.
+  double value(ElementRef e) const { return state_.value(e); }
   /// What the last update() or certify() took.
   const UpdateStatistics& statistics() const { return state_.statistics(); }
   /// RunCertificate::mostCompressed and compressedByTurns. Only elements under compression can make the tangent

@@ -8,6 +8,7 @@
 
 #include <ringwatch/base/parallel.h>
 #include <ringwatch/base/sort_unique.h>
+#include <ringwatch/body/discrete_forces.h>
 #include <ringwatch/body/element_damping.h>
 #include <ringwatch/materials/rotation.h>
 #include <ringwatch/monitor/bounds/scaled_tangent.h>
@@ -40,6 +41,18 @@ Matrix3<double> matrixOf(const Number* entries) {
 double distance(const Matrix3<double>& A, const Matrix3<double>& B) {
   const Matrix3<double> off = A - B;
   return std::sqrt(innerProduct(off, off));
+}
+Matrix3<NativePack> broadcast(const Matrix3<double>& A) {
+  Matrix3<NativePack> all;
+  for (int i = 0; i < 9; ++i) all.m[i] = NativePack(A.m[i]);
+  return all;
+}
+/// A bound of the largest singular value.
+double largestStretch(const Matrix3<double>& A) {
+  Symmetric3<double> square;
+  for (int i = 0; i < 3; ++i)
+    for (int j = i; j < 3; ++j) square(i, j) = A(0, i) * A(0, j) + A(1, i) * A(1, j) + A(2, i) * A(2, j);
+  return std::sqrt(eigenvalueBounds(square).high());
 }
 template <class S>
 Symmetric3<S> productWithTranspose(const Matrix3<S>& T) {
@@ -100,7 +113,7 @@ NativePack shareOf(const Symmetric3<NativePack>& A, double lambda, double twoMu)
 }  // namespace
 
 bool RestBound::serves(const Body& body) {
-  if (body.discreteForces() || body.elementDamping() || !body.constraints().rigidBodies().empty()) return false;
+  if (body.elementDamping() || !body.constraints().rigidBodies().empty()) return false;
   return std::all_of(body.blocks().begin(), body.blocks().end(), [](const auto& block) {
     PrincipalTangent<NativePack> tangent;
     if (!block->principalTangentAt(atRest(), tangent)) return false;
@@ -111,11 +124,12 @@ bool RestBound::serves(const Body& body) {
 
 RestBound::RestBound(const Body& body, const RestBoundPolicy& policy) : body_(body), policy_(policy) {}
 
-void RestBound::start(NodalBound weights) {
+void RestBound::start(NodalBound weights, const std::function<double(ElementRef)>& valueAtRest) {
   bodyVersion_ = body_.version();
   weights_.emplace(std::move(weights));
   const NodeVectors& X = body_.mesh().X;
-  restHighest_ = weights_->evaluate(X, 0).value;
+  if (!valueAtRest) weights_->evaluate(X, 0);
+  restHighest_ = weights_->last();
   started_ = std::isfinite(restHighest_) && restHighest_ > 0;
   if (!started_) return;
   values_.clear();
@@ -127,7 +141,8 @@ void RestBound::start(NodalBound weights) {
     const std::vector<std::int32_t>& elements = body_.blocks()[b]->layout().elements;
     values_.emplace_back(elements.size());
     for (std::size_t place = 0; place < elements.size(); ++place)
-      if (elements[place] >= 0) values_[b][place] = weights_->value({static_cast<std::int32_t>(b), elements[place]});
+      if (const ElementRef e{static_cast<std::int32_t>(b), elements[place]}; e.element >= 0)
+        values_[b][place] = valueAtRest ? valueAtRest(e) : weights_->value(e);
     laplacian_.emplace_back(laplacian[b].begin(), laplacian[b].end());
     reference_.emplace_back(9 * elements.size() * static_cast<std::size_t>(gradientsOf(*body_.blocks()[b])));
     compressed_.emplace_back(body_.blocks()[b]->layout().batchCount());
@@ -144,13 +159,15 @@ void RestBound::start(NodalBound weights) {
   parallelFor(
       0, static_cast<std::int64_t>(groups_.size()), body_.threads(),
       [&](std::int64_t g) { refer(X, static_cast<std::int32_t>(g)); }, groupsOfThread);
+  followDiscreteForces(X);
+  for (Region& region : regions_) region.lowest = boundNodes(region);
 }
 
 void RestBound::makeGroups() {
   groups_.clear();
-  const int batches = std::max(policy_.elementsOfGroup / lanes, 1);
   for (std::size_t b = 0; b < body_.blocks().size(); ++b) {
     const ElementBlock& block = *body_.blocks()[b];
+    const int batches = std::max(policy_.gradientsOfGroup / (lanes * gradientsOf(block)), 1);
     const PatchLayout& layout = block.layout();
     for (std::size_t p = 0; p < layout.patches.size(); ++p) {
       const Patch& patch = layout.patches[p];
@@ -203,6 +220,7 @@ void RestBound::makeRegions() {
     Region region{};
     region.node = nodes.front();
     region.boundedAt = -1;
+    region.referredAt = -1;
     for (const std::int32_t i : nodes) {
       region.around.insert(region.around.end(), groupsOfNode[i].begin(), groupsOfNode[i].end());
       region.laplacian = std::max(region.laplacian, laplacian[i] / body_.lumpedMass()[i]);
@@ -268,6 +286,13 @@ void RestBound::index() {
   flags_.resize(groups_.size() + 1);
   motions_.resize(groups_.size());
   bounds_.resize(regions_.size());
+  discrete_.assign(regions_.size(), 0);
+  if (!body_.discreteForces()) return;
+  regionOfNode_.assign(body_.nodeCount(), -1);
+  for (std::size_t r = 0; r < regions_.size(); ++r)
+    for (std::int32_t k = packBegin_[regions_[r].packBegin]; k < packBegin_[regions_[r].packEnd]; ++k)
+      for (const std::int32_t node : parts_[k].node)
+        if (node >= 0) regionOfNode_[node] = static_cast<std::int32_t>(r);
 }
 
 RestBound::Moved RestBound::stretched(const Group& group, const Matrix3<P>* F, const Matrix3<P>& T,
@@ -352,9 +377,10 @@ void RestBound::refer(NodeVectorsView x, std::int32_t g) {
   thread_local AlignedVector<double> sums, gradients;
   sums.resize(static_cast<std::size_t>(numbers * PatchLayout::maxPatchNodes));
   for (const Place& place : places_[g]) std::fill_n(sums.data() + numbers * place.local, numbers, 0.0);
-  thread_local AlignedVector<Matrix3<P>> F;
+  thread_local AlignedVector<Matrix3<P>> all;
   gradients.resize(static_cast<std::size_t>(9 * rest.gradients * lanes));
-  F.resize(static_cast<std::size_t>(rest.gradients));
+  all.resize(static_cast<std::size_t>((group.end - group.begin) * rest.gradients));
+  Matrix3<P>* F = all.data();
   Symmetric3<P> D[maxElementNodes];
   Matrix3<double> ofFirst = Matrix3<double>::zero();
   group.rounding = group.uneven = group.size = group.count = 0;
@@ -403,7 +429,8 @@ void RestBound::refer(NodeVectorsView x, std::int32_t g) {
     group.count += lanes;
     std::uint8_t& flag = compressed_[group.block][batch];
     flag = static_cast<std::uint8_t>((compressed ? 1 : 0) | (flag & 1 ? 2 : 0));
-    const Moved moved = rest.stretches ? stretched(group, F.data(), T, delta) : turned(group, T, delta, law);
+    const Moved moved = rest.stretches ? stretched(group, F, T, delta) : turned(group, T, delta, law);
+    F += rest.gradients;
     for (int lane = 0; lane < lanes && elements[lane] >= 0; ++lane) {
       group.uneven = std::max(group.uneven, delta[lane]);
       group.size = std::max(group.size, std::sqrt(size2[lane]));
@@ -451,6 +478,16 @@ void RestBound::refer(NodeVectorsView x, std::int32_t g) {
     parts.laplacian[place.lane] = static_cast<float>(inverseMass * own[7] * (1 + weightRounding));
   }
   group.seenNegative = negative;
+  const Matrix3<double> mean = (1 / group.count) * ofFirst;
+  const Matrix3<P> meanOfAll = broadcast(mean);
+  P apart2(0.0);
+  for (const Matrix3<P>* own = all.data(); own != F; ++own) {
+    const Matrix3<P> off = *own - meanOfAll;
+    apart2 = math::max(apart2, innerProduct(off, off));
+  }
+  std::copy_n(mean.m, 9, group.mean);
+  group.apart = 0;
+  for (int lane = 0; lane < lanes; ++lane) group.apart = std::max(group.apart, std::sqrt(apart2[lane]));
   const Matrix3<double> back = inverse(ofFirst);
   std::copy_n(back.m, 9, group.inverse);
   // The motion goes on as it went up to here.
@@ -483,12 +520,12 @@ void RestBound::setNext(std::int32_t g, Matrix3<double> motion, bool summed) {
                                         (summed ? BatchMotion::summed : 0));
 }
 
-void RestBound::see(NodeVectorsView x, const Group& group) {
+void RestBound::see(NodeVectorsView x, const Group& group, bool all) {
   const ElementBlock& block = *body_.blocks()[group.block];
   AlignedVector<double> F(static_cast<std::size_t>(9 * rest_[group.block].gradients * lanes));
   for (std::int32_t batch = group.begin; batch < group.end; ++batch) {
     const std::int32_t* elements = block.layout().elements.data() + static_cast<std::ptrdiff_t>(batch) * lanes;
-    if (elements[0] < 0) continue;
+    if (elements[0] < 0 || !(all || compressed_[group.block][batch] != 0)) continue;
     compressed_[group.block][batch] |= 1;
     TangentDrift drift[lanes];
     block.deformationOf(elements, x.data(), F.data(), drift);
@@ -525,6 +562,22 @@ void RestBound::measure(NodeVectorsView x, StepEvaluation* evaluation) {
   asked.visitor = nullptr;
 }
 
+double RestBound::stressRisen(const Group& group, const Matrix3<double>& G, double delta) const {
+  const Rest& rest = rest_[group.block];
+  const Matrix3<double> mean = matrixOf(group.mean), one = Matrix3<double>::identity();
+  const Matrix3<double> square = transposeTimes(G, G) - one, of = 0.5 * transposeTimes(mean, square * mean);
+  Symmetric3<double> strain;
+  for (int i = 0; i < 3; ++i)
+    for (int j = i; j < 3; ++j) strain(i, j) = of(i, j);
+  const double ofMean = largestStretch(mean), off = std::sqrt(innerProduct(square, square)),
+               ofRest = 0.5 * off * group.apart * (2 * ofMean + group.apart) +
+                        delta * (largestStretch(G) * (ofMean + group.apart) + 0.5 * delta);
+  // |λ tr(e) 1 + 2μ e| <= modulus |e|.
+  const double kappa = rest.lambda + rest.twoMu, modulus = std::sqrt(kappa * kappa + 2 * rest.lambda * rest.lambda);
+  return rest.lambda * strain.trace() + rest.twoMu * eigenvalueBounds(strain).high() + modulus * ofRest +
+         boundRounding * kappa;
+}
+
 bool RestBound::follow(std::int32_t g) {
   Group& group = groups_[g];
   Motion& motion = motions_[g];
@@ -550,9 +603,7 @@ bool RestBound::follow(std::int32_t g) {
            t * (spread * drift.negative + drift.linear + t * drift.quadratic);
   };
   if (rest.stretches) {
-    const double modulus = std::sqrt(drift.kappa * drift.kappa + 2 * rest.lambda * rest.lambda);
-    const double risen = modulus * (0.5 * off * group.size * group.size + delta * (stretch * group.size + 0.5 * delta));
-    motion.added = quadratic(delta) + std::max(0.0, risen + std::min(0.0, group.stress));
+    motion.added = quadratic(delta) + std::max(0.0, stressRisen(group, G, delta) + std::min(0.0, group.stress));
   } else {
     delta += off * group.size;
     if (!still) G = polishedRotation(G);
@@ -621,8 +672,23 @@ double RestBound::turnedBound(const Region& region) const {
   return bound >= 0 ? bound : infinity;  // of a motion of which nothing was known
 }
 
+void RestBound::followDiscreteForces(NodeVectorsView x) {
+  const DiscreteForces* discrete = body_.discreteForces();
+  if (!discrete) return;
+  std::fill(discrete_.begin(), discrete_.end(), 0.0);
+  discrete->majorants(x, false, needed_, neededAt_);
+  for (const std::int32_t place : neededAt_) {
+    const std::int32_t node = discrete->nodes()[place], r = regionOfNode_[node];
+    if (r < 0) continue;
+    needed_[place] = freePart(body_, node, needed_[place]);
+    // The trace is at least the highest eigenvalue.
+    discrete_[r] = std::max(discrete_[r], needed_[place].trace() / body_.lumpedMass()[node]);
+  }
+}
+
 double RestBound::boundNodes(Region& region) {
-  P highest(0.0), most(0.0);
+  const DiscreteForces* discrete = body_.discreteForces();
+  P highest(0.0), most(0.0), together(0.0);
   for (std::int32_t pack = region.packBegin; pack < region.packEnd; ++pack) {
     Symmetric3<P> sum = Symmetric3<P>::diagonal(P(0.0));
     P rest(0.0);
@@ -654,11 +720,25 @@ double RestBound::boundNodes(Region& region) {
     most = math::max(most, trace);
     highest = math::max(highest, eigenvaluesOf(sum).largest + P(relativeRounding) * trace + rest);
     statistics_.nodes += lanes;
+    bool touched = false;
+    for (int lane = 0; discrete && lane < lanes; ++lane) {
+      const std::int32_t node = parts_[packBegin_[pack]].node[lane];
+      const std::int32_t place = node < 0 ? -1 : discrete->placeOf(node);
+      if (place < 0 || needed_[place].isZero(0)) continue;
+      touched = true;
+      for (int i = 0; i < 3; ++i)
+        for (int j = i; j < 3; ++j)
+          sum(i, j).set(lane, sum(i, j)[lane] + needed_[place](i, j) / body_.lumpedMass()[node]);
+    }
+    if (touched)
+      together = math::max(together, eigenvaluesOf(sum).largest + P(relativeRounding) * sum.trace() + rest);
   }
   region.weight = region.trace = 0;
+  double bound = 0;
   for (int lane = 0; lane < lanes; ++lane) {
     region.weight = std::max(region.weight, highest[lane]);
     region.trace = std::max(region.trace, most[lane]);
+    bound = std::max({bound, highest[lane], together[lane]});
   }
   region.boundedAt = states_;
   region.base.resize(region.around.size());
@@ -670,13 +750,13 @@ double RestBound::boundNodes(Region& region) {
     std::copy_n(back.m, 9, region.base[k].matrix);
     region.still &= now.still;
   }
-  return region.weight;
+  return bound;
 }
 
 double RestBound::lowestBound(NodeVectorsView x, double enough, std::int64_t most) {
   parallelFor(
       0, static_cast<std::int64_t>(regions_.size()), body_.threads(),
-      [&](std::int64_t r) { bounds_[r] = movedBound(regions_[r]); }, regionsOfThread);
+      [&](std::int64_t r) { bounds_[r] = movedBound(regions_[r]) + discrete_[r]; }, regionsOfThread);
   std::vector<std::pair<double, std::int32_t>> heap;  // the highest first
   for (std::size_t r = 0; r < regions_.size(); ++r) heap.emplace_back(bounds_[r], static_cast<std::int32_t>(r));
   std::make_heap(heap.begin(), heap.end());
@@ -695,7 +775,8 @@ double RestBound::lowestBound(NodeVectorsView x, double enough, std::int64_t mos
     Region& top = regions_[r];
     const bool bounded = top.boundedAt == states_;
     node_ = top.node;
-    const bool spent = statistics_.elements >= most;
+    // What nothing is known of has a new reference whatever that takes.
+    const bool spent = statistics_.elements >= most && bound < boundOfUnknown;
     if (bound <= enough || (spent && !bounded && bound <= (1 + policy_.same) * known)) return bound;
     if (!bounded) {
       std::pop_heap(heap.begin(), heap.end());
@@ -704,7 +785,9 @@ double RestBound::lowestBound(NodeVectorsView x, double enough, std::int64_t mos
       known = std::max(known, bounds_[r]);
       continue;
     }
-    if (spent) return bound;
+    const bool again = top.referredAt == states_;
+    top.lowest = again ? bound : std::min(top.lowest, bound);
+    if (spent || !(again || bound > (1 + policy_.risen) * top.lowest)) return bound;
     double uneven = 0;
     for (const std::int32_t g : top.around) uneven = std::max(uneven, groups_[g].delta);
     bool referred = false;
@@ -714,13 +797,14 @@ double RestBound::lowestBound(NodeVectorsView x, double enough, std::int64_t mos
       refer(x, g);
       referred = true;
       statistics_.elements += lanes * (group.end - group.begin);
-      if (isCompressed(group)) see(x, group);
+      see(x, group, false);
       for (const std::int32_t other : regionsOf_[g]) {
         regions_[other].boundedAt = -1;
         if (bounds_[other] < infinity) push(other, infinity);
       }
     }
     if (!referred) return bound;
+    top.referredAt = states_;
     known = 0;
   }
   return 0;
@@ -777,10 +861,11 @@ UpperBound RestBound::update(NodeVectorsView x, StepEvaluation* evaluation, doub
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     if (toBeSeen[g] == 0) continue;
     const std::size_t first = seen_.size();
-    see(x, groups_[g]);
+    see(x, groups_[g], true);
     for (std::size_t k = first; k < seen_.size(); ++k)
       groups_[g].seenNegative = std::max(groups_[g].seenNegative, seen_[k].negative);
   }
+  followDiscreteForces(x);
   const double bound = (1 + boundRounding) * lowestBound(x, enough, most);
   return {bound < boundOfUnknown ? bound : infinity};
 }
@@ -798,14 +883,11 @@ Eigen::Matrix3d RestBound::majorantAt(std::int32_t node) const {
       sum += matrix * weight * matrix.transpose();
       sum.diagonal().array() += parts.geometric[lane] + motion.added * parts.laplacian[lane];
     }
+  if (const DiscreteForces* discrete = body_.discreteForces())
+    if (const std::int32_t place = discrete->placeOf(node); place >= 0) sum += needed_[place] / body_.lumpedMass()[node];
   return sum;
 }
 
 ElementRef RestBound::highest() const { return weights_->elementsAt(std::span<const std::int32_t>(&node_, 1)).front(); }
-
-bool RestBound::isCompressed(const Group& group) const {
-  return std::any_of(compressed_[group.block].begin() + group.begin, compressed_[group.block].begin() + group.end,
-                     [](std::uint8_t flags) { return flags != 0; });
-}
 
 }  // namespace ringwatch

@@ -1,6 +1,7 @@
 #pragma once
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -16,8 +17,9 @@ namespace ringwatch {
 
 /// What a RestBound trades work against width by. No constant here bears on what is proven (Theorem 98).
 struct RestBoundPolicy {
-  /// Elements of a group that shares one motion, and groups of a region whose nodes are bounded together.
-  int elementsOfGroup = 128, groupsOfRegion = 1;
+  /// Deformation gradients of a group that shares one motion, which take a few times the work that the group itself
+  /// does, and groups of a region whose nodes are bounded together.
+  int gradientsOfGroup = 256, groupsOfRegion = 1;
   /// States from one measure of a group's compression to the next. Its elements are seen again once that has grown by
   /// this factor and this share of λ+2μ.
   int turns = 16;
@@ -26,8 +28,9 @@ struct RestBoundPolicy {
   double compressionGrowth = 1.5, slightCompression = 1e-3;
   /// Two regions whose bounds differ by less, relative to the eigenvalue, are the same.
   double same = 0.005;
-  /// Of the groups around a region those start again whose elements differ by more than this share of the most.
-  double uneven = 0.5;
+  /// Of the groups around a region those start again whose elements differ by more than this share of the most, once
+  /// its bound has risen by so much of the eigenvalue since that gained something last.
+  double uneven = 0.5, risen = 0.01;
 };
 
 /// The block nodal bound at rest moved along with the body (Theorem 98, docs/theory/moved_majorants.md): no tangent is
@@ -36,16 +39,17 @@ struct RestBoundPolicy {
 /// Groups of neighbouring elements have their majorants summed up at a reference state and one motion G each from
 /// there: a pass over the body measures at every state by how much their gradients differ from G times those of the
 /// reference. What turns costs nothing, and an even stretch what the law makes of it. The groups that make the bound
-/// highest are given new references, in closed form again. For bodies without discrete forces, rigid bodies and
-/// elements that damp, of isotropic laws.
+/// highest are given new references, in closed form again. Discrete forces add what they may come to at a node. For bodies
+/// without rigid bodies and elements that damp, of isotropic laws.
 class RestBound {
  public:
   /// Whether bodies like this one have the bound.
   static bool serves(const Body& body);
   explicit RestBound(const Body& body, const RestBoundPolicy& policy = {});
   bool started() const { return started_ && bodyVersion_ == body_.version(); }
-  /// Makes the bound at rest with these weights, which are evaluated there once. Infinite where that is not finite.
-  void start(NodalBound weights);
+  /// Makes the bound at rest with these weights: from l of the elements there, N/m, where that is known, else they are
+  /// evaluated once. Infinite where that is not finite.
+  void start(NodalBound weights, const std::function<double(ElementRef)>& valueAtRest = {});
 
   /// The bound at positions x (3×N, m); infinite where a motion is beyond what is known of a law, NaN where an F is not
   /// finite. Unless nullptr, `evaluation` is filled in at x by the pass that measures the groups; its visitor is not
@@ -85,8 +89,8 @@ class RestBound {
     std::int32_t block, patch, begin, end;  // batches
     std::uint8_t follows;                   // 1: G is diagonal, as components of some nodes are held
     // At the reference, of all elements: what F errs by, |F - T| and |F| at most, the least principal stretch at least,
-    // the highest principal stress, and how fast the tangents grow.
-    double rounding, uneven, size, leastStretch, stress;
+    // the highest principal stress, and how fast the tangents grow; the mean of F and of the distances from it at most.
+    double rounding, uneven, size, leastStretch, stress, mean[9], apart;
     TangentDriftCoefficients<double> drift;
     double spread;             // spreadOf(drift.kappa)
     double seenNegative;       // -lambda_min(∂P/∂F) at most, when its elements were seen last
@@ -95,7 +99,7 @@ class RestBound {
     std::int64_t referenceAt;  // the state
     template <class Archive>
     void archive(Archive& a) {
-      a(block, patch, begin, end, follows, rounding, uneven, size, leastStretch, stress, drift.kappa, drift.linear,
+      a(block, patch, begin, end, follows, rounding, uneven, size, leastStretch, stress, mean, apart, drift.kappa, drift.linear,
         drift.quadratic, drift.negative, drift.radius, spread, seenNegative, count, inverse, summedAt, referenceAt);
     }
   };
@@ -133,10 +137,11 @@ class RestBound {
     std::vector<Motion> base;  // of these groups; the inverse of the matrix
     bool still;                // whether all of these are
     double weight, trace, laplacian;
-    std::int64_t boundedAt;
+    double lowest;  // bound that new references gave last, or less
+    std::int64_t boundedAt, referredAt;
     template <class Archive>
     void archive(Archive& a) {
-      a(packBegin, packEnd, node, around, base, still, weight, trace, laplacian, boundedAt);
+      a(packBegin, packEnd, node, around, base, still, weight, trace, laplacian, lowest, boundedAt, referredAt);
     }
   };
   /// λ and 2μ of a block at rest, Pa, and whether its tangents stretch as T does (St. Venant-Kirchhoff).
@@ -170,18 +175,22 @@ class RestBound {
   void setNext(std::int32_t g, Matrix3<double> motion, bool summed);
   Matrix3<double> nextOf(std::int32_t g) const;
   void measure(NodeVectorsView x, StepEvaluation* evaluation);
+  /// By how much the highest principal stress of St. Venant-Kirchhoff can have risen in a group since its reference, Pa,
+  /// where all F differ from G times those of the reference by delta at most.
+  double stressRisen(const Group& group, const Matrix3<double>& G, double delta) const;
   /// The motion of a group as measured, and G for the next state. False where an F is not finite.
   bool follow(std::int32_t g);
   /// The bound of a region's nodes: by the motions since they were bounded last, and from all their parts.
   double movedBound(const Region& region) const;
   double turnedBound(const Region& region) const;
   double boundNodes(Region& region);
+  /// What discrete forces may come to at x, and at most at a node of each region.
+  void followDiscreteForces(NodeVectorsView x);
   double lowestBound(NodeVectorsView x, double enough, std::int64_t most);
   /// Whether elements of a group may have inverted, or are more compressed than when they were seen last.
   bool isToBeSeen(std::int32_t g) const;
-  void see(NodeVectorsView x, const Group& group);
-  /// Whether an element of it is under compression, or was.
-  bool isCompressed(const Group& group) const;
+  /// Elements of a group: all, or those of batches that are compressed or were.
+  void see(NodeVectorsView x, const Group& group, bool all);
 
   const Body& body_;
   RestBoundPolicy policy_;
@@ -205,10 +214,13 @@ class RestBound {
   std::vector<std::vector<std::int32_t>> groupOfBatch_;  // [block][batch]
   std::vector<std::vector<Place>> places_;               // [group]
   std::vector<std::vector<std::int32_t>> regionsOf_;     // [group]
+  std::vector<std::int32_t> regionOfNode_;               // -1: none
   // Of this state.
   AlignedVector<float> measured_;  // BatchMotion::measured
   std::vector<Motion> motions_;
-  std::vector<double> bounds_;  // [region]
+  std::vector<Eigen::Matrix3d> needed_;    // majorants of discrete forces, N/m
+  std::vector<std::int32_t> neededAt_;     // where they are not zero
+  std::vector<double> bounds_, discrete_;  // [region]; of discrete forces alone
   std::int32_t node_ = 0;       // where it is highest
   Statistics statistics_;
   std::vector<ExchangeCertificate::Seen> seen_;

@@ -42,6 +42,7 @@ const std::optional<CriticalStep>& RunBracket::evaluate(NodeVectorsView x, const
   const DiscreteForces::Look look(body_.discreteForces(), x);
   account_.earn(uncertified_);
   follow(x, limit, h, evaluation);
+  if (step_ && h && account_.limited()) startFromRest(x);
   ++observations_;
   return step_;
 }
@@ -80,7 +81,8 @@ const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const S
   const double ceiling = h ? limit.lambdaFor(*h) : infinity;
   adaptSlack();
   UpperBound nodal{infinity}, upper{infinity};
-  const bool moves = !h && follows(x, evaluation, upper);
+  const bool turns = rest_ && rest_->started() && !restFailed_ && !exchange_.serves() && followsFromRest(x, evaluation, upper),
+             moves = turns || (!h && follows(x, evaluation, upper));
   // Where means are short the weights rest while shares prove more than they did, and the step.
   bool rests = moves || (account_.limited() && exchange_.serves() && !uncertified_);
   if (rests && !moves) {
@@ -89,8 +91,10 @@ const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const S
     rests = upper.value < std::min(sigma, ceiling);
   }
   if (rests) {
-    nodal_.rest(moves ? moved_->seen() : exchange_.certificate().seen());
-    finite_ = true;
+    nodal_.rest(turns   ? rest_->seen()
+                : moves ? moved_->seen()
+                        : exchange_.certificate().seen());
+    finite_ = !std::isnan(upper.value);
   } else {
     nodal_.spare(exchange_.serves());
     nodal = nodal_.update(x, evaluation, ceiling);
@@ -119,7 +123,7 @@ const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const S
     }
     lower = boundWhereItRose(x, sigma, lower);
     if (moves) {
-      const ElementRef highest = moved_->highest();
+      const ElementRef highest = turns ? rest_->highest() : moved_->highest();
       if (affords(WorkAccount::ofRing(*body_.blocks()[highest.block])) && examineRing(x, highest, lower))
         local_.choose(mode_, localNodes_);
     }
@@ -150,7 +154,9 @@ const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const S
     upper.value = std::min(upper.value, nodal.value);
     statistics_.evaluated += nodal_.statistics().evaluated;
   }
-  statistics_.evaluated += moves ? moved_->statistics().evaluated : exchange_.evaluated();
+  statistics_.evaluated += turns   ? rest_->statistics().elements
+                           : moves ? moved_->statistics().evaluated
+                                   : exchange_.evaluated();
   if (!moves && !h && account_.incomeForMode() > 0)
     gain_ += std::max(std::sqrt(upper.value / lower.value) - 1, 0.0) * workOfStepBesideMoved();
   step_ = CriticalStep{safeStep(upper, limit),
@@ -167,6 +173,41 @@ const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const S
   nodal_.noteFrom(lower);
   if (!step_->isBracket()) step_.reset();
   return step_;
+}
+
+void RunBracket::startFromRest(NodeVectorsView x) {
+  const bool starts = !rest_ || !rest_->started();
+  if (starts ? restFailed_ || !RestBound::serves(body_) : !restEndedEarly_ || !account_.affords(WorkAccount::ofRebuild(body_))) return;
+  // Those of the first observation are of some other state perhaps, which bears on the width alone.
+  NodalBound weights = observed() ? nodal_.weightsAtRest() : nodal_.weights();
+  restEndedEarly_ = !observed() && nodal_.endedEarly();
+  if (observed()) {
+    Work work;
+    work[WorkOn::sweeps] = WorkAccount::ofRebuild(body_);
+    account_.spend(work);
+    spent_ += work;
+  }
+  rest_.emplace(body_);
+  if (!observed() && x == body_.mesh().X) {
+    rest_->start(std::move(weights), [this](ElementRef e) { return nodal_.value(e); });
+    return;
+  }
+  statistics_.evaluated += observed() ? weights.evaluations() : body_.mesh().elementCount();
+  rest_->start(std::move(weights));
+}
+
+bool RunBracket::followsFromRest(NodeVectorsView x, StepEvaluation*& evaluation, UpperBound& upper) {
+  const double enough = above(local_.last(), width_), means = account_.means();
+  upper = rest_->update(x, evaluation, enough, static_cast<std::int64_t>(means / WorkAccount::ofReferences(body_, 1)));
+  evaluation = nullptr;
+  Work work;
+  work[WorkOn::tests] = WorkAccount::ofMotions(body_);
+  work[WorkOn::evaluations] = WorkAccount::ofReferences(body_, rest_->statistics().elements) +
+                              WorkAccount::ofBoundedNodes(body_, rest_->statistics().nodes);
+  account_.spend(work);
+  spent_ += work;
+  restFailed_ = upper.value == infinity;
+  return !restFailed_;
 }
 
 bool RunBracket::follows(NodeVectorsView x, StepEvaluation*& evaluation, UpperBound& upper) {

@@ -13,6 +13,7 @@
 #include <ringwatch/monitor/incremental/incremental_exchange_bound.h>
 #include <ringwatch/monitor/incremental/incremental_nodal_bound.h>
 #include <ringwatch/monitor/incremental/moved_bound.h>
+#include <ringwatch/monitor/incremental/rest_bound.h>
 #include <ringwatch/monitor/step_limit.h>
 
 namespace ringwatch {
@@ -141,6 +142,11 @@ class RunBracket {
       softest_, mode_, method_, statistics_, bracketed_, finite_, cheapest_, sharpening_, sharpeningRestart_,
       searchesNext_, wholeMode_, restart_, search_, examination_, lowest_, nextCompressed_, least_, searchedAt_, step_,
       best_, bestAt_, gain_, ofMoved_, observations_);
+    bool turns = rest_.has_value();
+    a(turns, restEndedEarly_, restFailed_);
+    if (!turns) rest_.reset();
+    if (turns && !rest_) rest_.emplace(body_);
+    if (turns) a(*rest_);
     bool moves = moved_.has_value();
     a(moves);
     if (!moves) moved_.reset();
@@ -156,6 +162,11 @@ class RunBracket {
   /// proves. It is started once a wide bracket has cost as much as that takes, in steps that were shorter than they
   /// could be, and given up when it takes more than it saves. `evaluation` is filled in, and becomes nullptr.
   bool follows(NodeVectorsView x, StepEvaluation*& evaluation, UpperBound& upper);
+  /// Makes the bound at rest, with the weights of the first observation, at x; again, with better ones, where these were ended
+  /// early and there are means.
+  void startFromRest(NodeVectorsView x);
+  /// The upper side by the bound at rest, as narrow as means allow. `evaluation` is filled in, and becomes nullptr.
+  bool followsFromRest(NodeVectorsView x, StepEvaluation*& evaluation, UpperBound& upper);
   bool observed() const { return observations_ > 0; }
   /// What a step takes beside the moved bound, on average.
   double workOfStepBesideMoved() const;
@@ -218,6 +229,8 @@ class RunBracket {
   bool forVerdict_ = false;   // what is done now is for the verdict
   IncrementalNodalBound nodal_;
   IncrementalExchangeBound exchange_;
+  std::optional<RestBound> rest_;
+  bool restEndedEarly_ = false, restFailed_ = false;  // restFailed_: a state was beyond what is known of a law
   std::optional<MovedBound> moved_;  // while it serves
   /// In WorkAccount's units. gain_: what shorter steps than they could be have cost while it does not serve; what it
   /// has saved, while it does. A step saves its force, and the rest of what the monitor does for one.

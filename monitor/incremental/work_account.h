@@ -173,6 +173,14 @@ class WorkAccount {
            (static_cast<double>(evaluated) + evaluationsOfMotion * static_cast<double>(moved)) * ofEvaluation(body) /
                elements(body);
   }
+  /// Measuring the motions of all groups of a RestBound, new references of some elements, and bounds of nodes.
+  static double ofMotions(const Body& body) { return forcesOfMotions * ofForce(body); }
+  static double ofReferences(const Body& body, std::int64_t count) {
+    return forcesOfReference * ofForce(body) * static_cast<double>(count) / elements(body);
+  }
+  static double ofBoundedNodes(const Body& body, std::int64_t count) {
+    return forcesOfBounds * ofForce(body) * static_cast<double>(count) / body.nodeCount();
+  }
   /// The diagonal of the tangents of all elements.
   static double ofDiagonal(const Body& body) { return evaluationsOfTangent * ofEvaluation(body); }
   /// A reduced ring, with its eigenvectors and the tangents of the elements around; all of them together, without.
@@ -221,6 +229,9 @@ class WorkAccount {
   void spendOnSearches(double work) { take(searches_, work); }
   bool affordsForSearches(double work) const { return has(searches_, work); }
   bool affords(double work) const { return has(balance_, work); }
+  /// What there is for the proven side.
+  double means() const { return income_ > 0 ? std::max(balance_, 0.0) : 0; }
+  bool hasLimit() const { return share_ < noLimit; }
   bool affordsForProof(double work) const { return has(proof_, work); }
   bool affordsForMode(double work) const { return has(mode_, work); }
   bool affordsForVerdict(double work) const { return has(verdict_, work); }
@@ -294,6 +305,8 @@ class WorkAccount {
       growthOfSingles{.first = 1600, .firstPoint = 130, .pack = 320, .packPoint = 110, .each = 20, .eachPoint = 25};
   // Of MovedBound with bars of 1600 and 100 000 tetrahedra.
   static constexpr double forcesOfTests = 0.08, evaluationsOfMotion = 2;
+  // Of RestBound with bars of 30 000 tetrahedra, wedges, pyramids and hexahedra.
+  static constexpr double forcesOfMotions = 0.15, forcesOfReference = 6, forcesOfBounds = 0.7;
   static constexpr double unitsOfRing = 12000, unitsOfEigenvectors = 1.2, unitsOfRegion = 1000;
   static constexpr double evaluationsOfDecomposition = 2.8, evaluationsOfFactorisation = 2.8;
   static constexpr double evaluationsOfShares = 22, evaluationsOfIteration = 2;
