@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <ringwatch/app/output/report.h>
+#include <ringwatch/app/scene/saved_json.h>
 #include <ringwatch/base/atomic_file.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/fnv.h>
@@ -122,7 +123,7 @@ Checkpoint readCheckpoint(const std::filesystem::path& folder) {
   const std::string_view memory = head.substr(headSize);
   head = head.substr(0, headSize);
   try {
-    const Json content = Json::from_cbor(head.begin(), head.end());
+    const Json content = savedJson(head, Json::input_format_t::cbor);
     const auto version = content.at("version").get<std::string>();
     if (content.at("format").get<int>() != format || version != programVersion())
       throw InputError(

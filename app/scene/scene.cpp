@@ -8,6 +8,7 @@
 #include <ringwatch/app/scene/capabilities.h>
 #include <ringwatch/app/scene/mjcf_model.h>
 #include <ringwatch/app/scene/mjcf_scene.h>
+#include <ringwatch/app/scene/saved_json.h>
 #include <ringwatch/app/scene/scene_keys.h>
 #include <ringwatch/app/scene/scene_sections.h>
 #include <ringwatch/base/error.h>
@@ -159,8 +160,7 @@ Scene sceneOfModel(const std::filesystem::path& file, DeckUse use, const std::ve
 
 Scene sceneOfRun(const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / "summary.json";
-  const Json summary =
-      Json::parse(readBytes(file, "; it is there when a run has ended in this folder"), nullptr, false);
+  const Json summary = savedJson(readBytes(file, "; it is there when a run has ended in this folder"));
   const auto echo = summary.is_object() ? summary.find("scene") : summary.end();
   if (!summary.is_object() || echo == summary.end() || !echo->is_object())
     throw InputError(fmt::format("{}: not the summary of a run; it has no \"scene\"", file.string()));
