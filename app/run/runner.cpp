@@ -55,10 +55,10 @@ class Runner {
     try {
       writeFileAtomically(file, labelledJson(summary()).dump(2) + "\n");
     } catch (const std::exception& fault) {
-      throw RunFailed(run_.result.reason == ExitReason::failed ? run_.result.reasonText
-                      : dynamic_cast<const InputError*>(&fault)
-                          ? fault.what()
-                          : fmt::format("cannot write {}: {}", file.string(), faultText(fault)));
+      const std::string text = dynamic_cast<const InputError*>(&fault)
+                                   ? fault.what()
+                                   : fmt::format("cannot write {}: {}", file.string(), faultText(fault));
+      throw RunFailed(run_.result.reason == ExitReason::failed ? run_.result.reasonText + "; " + text : text);
     }
     std::error_code ignored;
     if (!run_.result.canGoOn()) std::filesystem::remove(run_.options.folder / checkpointFile, ignored);
