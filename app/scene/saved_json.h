@@ -1,4 +1,5 @@
 #pragma once
+#include <string>
 #include <string_view>
 
 #include <nlohmann/json.hpp>
@@ -33,6 +34,11 @@ inline nlohmann::ordered_json savedJson(std::string_view bytes, nlohmann::ordere
   if (!nlohmann::ordered_json::sax_parse(bytes.begin(), bytes.end(), &parser, format))
     result = nlohmann::ordered_json(nlohmann::ordered_json::value_t::discarded);
   return result;
+}
+
+/// JSON as the text of a file. What is not UTF-8, as the name of a file may be, becomes U+FFFD.
+inline std::string jsonText(const nlohmann::ordered_json& json) {
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace ringwatch

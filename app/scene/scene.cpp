@@ -11,6 +11,7 @@
 #include <ringwatch/app/scene/saved_json.h>
 #include <ringwatch/app/scene/scene_keys.h>
 #include <ringwatch/app/scene/scene_sections.h>
+#include <ringwatch/app/scene/toml_text.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/input_file.h>
 #include <ringwatch/base/nearest_name.h>
@@ -150,6 +151,8 @@ Scene readScene(const std::filesystem::path& file, const std::vector<std::string
 bool isModelFile(const std::filesystem::path& file) { return isDeckFile(file) || isMjcfFile(file); }
 
 Scene sceneOfModel(const std::filesystem::path& file, DeckUse use, const std::vector<std::string>& overrides) {
+  if (firstNotUtf8(file.string()) < file.string().size())
+    throw InputError(fmt::format("{}: the name of a model is to be UTF-8; rename the file", file.string()));
   DeckScene model = isMjcfFile(file) ? readMjcfScene(file) : readDeckScene(file, use);
   Scene scene = makeScene(file, sceneTablesOfDeck(file, model, overrides));
   scene.ofModel = true;
