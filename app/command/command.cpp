@@ -70,8 +70,7 @@ void JsonOption::save(const nlohmann::ordered_json& json) const {
 }
 
 void JsonOption::print(const nlohmann::ordered_json& json, const std::string& text) const {
-  printOut(takesStandardOutput() ? jsonText(labelledJson(json))
-                                 : labelled(text + conclusionLine(json["conclusion"])));
+  printOut(takesStandardOutput() ? jsonText(labelledJson(json)) : labelled(text + conclusionLine(json["conclusion"])));
 }
 
 void JsonOption::write(const nlohmann::ordered_json& json, const std::string& text) const {
