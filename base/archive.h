@@ -112,6 +112,10 @@ class ArchiveBase {
       if (has) one(*value);
     } else if constexpr (EigenMatrix<T>) {
       matrix(value);
+    } else if constexpr (std::is_same_v<T, bool>) {
+      char byte = value;
+      self().bytes(&byte, sizeof byte);
+      if constexpr (Self::loads) value = byte != 0;
     } else if constexpr (isBytes<T>) {
       self().bytes(&value, sizeof value);
     } else if constexpr (IsArray<T>::value) {
@@ -152,11 +156,12 @@ class ArchiveBase {
   void matrix(T& values) {
     static_assert(isBytes<typename T::Scalar>);
     if constexpr (T::SizeAtCompileTime == Eigen::Dynamic) {
-      std::int64_t rows = values.rows();
-      one(rows);
-      const std::size_t of = sizeof(typename T::Scalar) * static_cast<std::size_t>(std::max<std::int64_t>(rows, 1));
-      const auto columns = static_cast<std::int64_t>(self().count(static_cast<std::size_t>(values.cols()), of));
-      if constexpr (Self::loads) values = T(rows, columns);  // resize() leaves no object where memory ends
+      std::int64_t rows = values.rows(), columns = values.cols();
+      (*this)(rows, columns);
+      if constexpr (Self::loads) {
+        self().template requireMatrix<T>(rows, columns);
+        values = T(rows, columns);  // resize() leaves no object where memory ends
+      }
     }
     if (values.size() > 0)
       self().bytes(values.data(), static_cast<std::size_t>(values.size()) * sizeof(typename T::Scalar));
@@ -203,6 +208,14 @@ class LoadingArchive : public detail::ArchiveBase<LoadingArchive> {
     bytes(&value, sizeof value);
     if (value > left_.size() / sizeOfEach) throw InputError("saved state: ends early");
     return value;
+  }
+  /// Throws InputError for sizes that no matrix of this type has, or that are more than the bytes that are left.
+  template <class T>
+  void requireMatrix(std::int64_t rows, std::int64_t columns) const {
+    const auto fits = [](std::int64_t size, int fixed) { return fixed == Eigen::Dynamic ? size >= 0 : size == fixed; };
+    if (!fits(rows, T::RowsAtCompileTime) || !fits(columns, T::ColsAtCompileTime) ||
+        (rows > 0 && columns > static_cast<std::int64_t>(left_.size() / sizeof(typename T::Scalar)) / rows))
+      throw InputError("saved state: no matrix in it has such a size");
   }
   /// Throws InputError unless all bytes were read.
   void end() const {

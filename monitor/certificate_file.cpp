@@ -13,6 +13,7 @@
 #include <vector>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/fnv.h>
 #include <ringwatch/base/rounding.h>
 #include <ringwatch/elements/registry.h>
 #include <ringwatch/meshes/adjacency.h>
@@ -31,22 +32,6 @@ constexpr int modeProducts = 20, boundSweeps = 12;
 constexpr double leastAllowance = 1e-13;
 
 static_assert(std::endian::native == std::endian::little, "the file holds numbers as they lie in memory");
-
-/// FNV-1a, 64 bits.
-class Fnv {
- public:
-  void add(std::string_view bytes) {
-    for (const char byte : bytes) value_ = (value_ ^ static_cast<unsigned char>(byte)) * 0x100000001b3ULL;
-  }
-  template <class... Numbers>
-  void addNumbers(Numbers... numbers) {
-    (add({reinterpret_cast<const char*>(&numbers), sizeof numbers}), ...);
-  }
-  std::uint64_t value() const { return value_; }
-
- private:
-  std::uint64_t value_ = 0xcbf29ce484222325ULL;
-};
 
 class Bytes {
  public:

@@ -6,6 +6,7 @@
 
 #include <ringwatch/base/archive.h>
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/fnv.h>
 #include <ringwatch/body/domain.h>
 #include <ringwatch/monitor/element_cause.h>
 #include <ringwatch/monitor/energy_check.h>
@@ -194,11 +195,13 @@ const MonitorOptions& StabilityMonitor::options() const { return impl_->options;
 std::string StabilityMonitor::save() const {
   SavingArchive archive;
   impl_->archive(archive);
-  return archive.take();
+  return sealed(archive.take());
 }
 
 void StabilityMonitor::load(std::string_view saved) {
-  LoadingArchive archive(saved);
+  const std::optional<std::string_view> bytes = unsealed(saved);
+  if (!bytes) throw InputError("saved monitor: is damaged");
+  LoadingArchive archive(*bytes);
   impl_->archive(archive);
   archive.end();
 }

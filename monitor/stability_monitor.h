@@ -149,8 +149,8 @@ class StabilityMonitor {
   /// goes on with the bits of this one. Only the same build of the library reads them. Some 100 bytes a tet4. Throws
   /// InputError on a part of a body.
   std::string save() const;
-  /// Throws InputError where bytes end early, or are of other options, of a body of other sizes or of packs of another
-  /// width; what was known before is lost then.
+  /// Throws InputError where bytes are damaged, or are of other options, of a body of other sizes or of packs of
+  /// another width; what was known before is lost then.
   void load(std::string_view saved);
 
  private:

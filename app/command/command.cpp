@@ -6,6 +6,7 @@
 #include <ringwatch/app/command/verify.h>
 #include <ringwatch/app/output/provenance.h>
 #include <ringwatch/app/output/report.h>
+#include <ringwatch/app/scene/saved_json.h>
 #include <ringwatch/base/atomic_file.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/user_text.h>
@@ -65,12 +66,11 @@ void JsonOption::declare(CLI::App& command, const char* what) {
 }
 
 void JsonOption::save(const nlohmann::ordered_json& json) const {
-  if (!path.empty() && !takesStandardOutput()) writeFileAtomically(path, labelledJson(json).dump(2) + "\n");
+  if (!path.empty() && !takesStandardOutput()) writeFileAtomically(path, jsonText(labelledJson(json)));
 }
 
 void JsonOption::print(const nlohmann::ordered_json& json, const std::string& text) const {
-  printOut(takesStandardOutput() ? labelledJson(json).dump(2) + "\n"
-                                 : labelled(text + conclusionLine(json["conclusion"])));
+  printOut(takesStandardOutput() ? jsonText(labelledJson(json)) : labelled(text + conclusionLine(json["conclusion"])));
 }
 
 void JsonOption::write(const nlohmann::ordered_json& json, const std::string& text) const {

@@ -13,6 +13,7 @@
 #include <ringwatch/app/report/frame_choice.h>
 #include <ringwatch/app/report/json_read.h>
 #include <ringwatch/app/report/report_page.h>
+#include <ringwatch/app/scene/saved_json.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/input_file.h>
 
@@ -33,7 +34,7 @@ Json readSummary(const std::filesystem::path& folder, std::vector<std::string>& 
   }
   Json summary;
   try {
-    summary = Json::parse(readBytes(file), nullptr, false);
+    summary = savedJson(readBytes(file));
   } catch (const InputError& fault) {
     notes.push_back(fmt::format("{}.", fault.what()));
     return nullptr;

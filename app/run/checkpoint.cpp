@@ -7,8 +7,10 @@
 #include <fmt/format.h>
 
 #include <ringwatch/app/output/report.h>
+#include <ringwatch/app/scene/saved_json.h>
 #include <ringwatch/base/atomic_file.h>
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/fnv.h>
 #include <ringwatch/base/input_file.h>
 #include <ringwatch/base/pack.h>
 
@@ -21,37 +23,8 @@ constexpr int format = 12;  // of the file; any change of what is in it counts
 constexpr std::string_view anyMark = "ringwatch checkpoint";
 const std::string mark = fmt::format("{} {}\n", anyMark, format);
 
-/// FNV-1a, 64 bits (Fowler, Noll, Vo): finds damage and changes, resists no forgery.
-class Hash {
- public:
-  void add(const void* data, std::size_t size) {
-    const auto* bytes = static_cast<const unsigned char*>(data);
-    for (std::size_t i = 0; i < size; ++i) value_ = (value_ ^ bytes[i]) * 0x100000001b3u;
-  }
-  /// Eight bytes at a time, for files of a hundred megabytes.
-  void addByWords(std::string_view text) {
-    for (; text.size() >= sizeof value_; text.remove_prefix(sizeof value_)) {
-      std::uint64_t word = 0;
-      std::memcpy(&word, text.data(), sizeof word);
-      value_ = (value_ ^ word) * 0x100000001b3u;
-      value_ ^= value_ >> 32;
-    }
-    add(text.data(), text.size());
-  }
-  std::uint64_t value() const { return value_; }
-
- private:
-  std::uint64_t value_ = 0xcbf29ce484222325u;
-};
-
 /// What the bytes of Checkpoint::memory depend on.
 std::string buildText() { return fmt::format("{}, {} lanes", __VERSION__, nativeWidth); }
-
-std::uint64_t hashOf(std::string_view text) {
-  Hash hash;
-  hash.addByWords(text);
-  return hash.value();
-}
 
 /// The first place in which two values differ: "integrator.step".
 std::string firstDifference(const Json& a, const Json& b, const std::string& path) {
@@ -86,12 +59,14 @@ NodeVectors vectorsOf(const Json& json) {
 }
 
 std::uint64_t hashOf(const Mesh& mesh) {
-  Hash hash;
-  hash.add(mesh.X.data(), static_cast<std::size_t>(mesh.X.size()) * sizeof(double));
+  Fnv hash;
+  const auto add = [&]<class T>(const T* numbers, std::size_t count) {
+    hash.add({reinterpret_cast<const char*>(numbers), count * sizeof(T)});
+  };
+  add(mesh.X.data(), static_cast<std::size_t>(mesh.X.size()));
   for (const MeshBlock& block : mesh.blocks) {
-    const std::string_view name = elementInfo(block.type).name;
-    hash.add(name.data(), name.size());
-    hash.add(block.connectivity.data(), block.connectivity.size() * sizeof(std::int32_t));
+    hash.add(elementInfo(block.type).name);
+    add(block.connectivity.data(), block.connectivity.size());
   }
   return hash.value();
 }
@@ -108,17 +83,15 @@ std::size_t writeCheckpoint(const std::filesystem::path& folder, const Checkpoin
                      {"v", binaryOf(checkpoint.state.v)},
                      {"parts", checkpoint.parts},
                      {"build", checkpoint.memory.empty() ? Json(nullptr) : Json(buildText())}};
-  const auto appendNumber = [](std::string& text, std::uint64_t number) {
-    text.append(reinterpret_cast<const char*>(&number), sizeof number);
-  };
   std::string head;
   Json::to_cbor(content, head);
   std::string text(mark);
   text.reserve(mark.size() + head.size() + checkpoint.memory.size() + 2 * sizeof(std::uint64_t));
-  appendNumber(text, head.size());
+  const std::uint64_t headSize = head.size();
+  text.append(reinterpret_cast<const char*>(&headSize), sizeof headSize);
   text += head;
   text += checkpoint.memory;
-  appendNumber(text, hashOf(text));
+  text = sealed(std::move(text));
   writeFileAtomically(folder / checkpointFile, text, Outlives::machine);
   return text.size();
 }
@@ -132,24 +105,25 @@ Checkpoint readCheckpoint(const std::filesystem::path& folder) {
       file,
       "; a run that is stopped by a signal or has output.checkpoint_every writes it, and removes it when it has "
       "reached its end");
-  std::uint64_t hash = 0, headSize = 0;
+  std::uint64_t headSize = 0;
   if (text.starts_with(anyMark) && text.size() >= mark.size() && !text.starts_with(mark))
     throw InputError(
         fmt::format("{}: was written by another version of ringwatch, or is damaged; begin the run again or resume it "
                     "with that version",
                     file.string()));
-  if (!text.starts_with(mark) || text.size() < mark.size() + 2 * sizeof hash)
+  if (!text.starts_with(mark) || text.size() < mark.size() + 2 * sizeof headSize)
     throw InputError(fmt::format("{}: is no checkpoint", file.string()));
-  const std::string_view body(text.data(), text.size() - sizeof hash);
-  std::memcpy(&hash, body.end(), sizeof hash);
-  if (hash != hashOf(body)) throw InputError(fmt::format("{}: is damaged; begin the run again", file.string()));
-  std::memcpy(&headSize, body.data() + mark.size(), sizeof headSize);
-  std::string_view head = body.substr(mark.size() + sizeof headSize);
-  if (headSize > head.size()) throw InputError(fmt::format("{}: is damaged; begin the run again", file.string()));
+  std::string_view head = unsealed(text).value_or("");
+  if (!head.empty()) {
+    std::memcpy(&headSize, head.data() + mark.size(), sizeof headSize);
+    head.remove_prefix(mark.size() + sizeof headSize);
+  }
+  if (headSize == 0 || headSize > head.size())
+    throw InputError(fmt::format("{}: is damaged; begin the run again", file.string()));
   const std::string_view memory = head.substr(headSize);
   head = head.substr(0, headSize);
   try {
-    const Json content = Json::from_cbor(head.begin(), head.end());
+    const Json content = savedJson(head, Json::input_format_t::cbor);
     const auto version = content.at("version").get<std::string>();
     if (content.at("format").get<int>() != format || version != programVersion())
       throw InputError(

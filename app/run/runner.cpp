@@ -17,6 +17,7 @@
 #include <ringwatch/app/run/run_repeats.h>
 #include <ringwatch/app/run/simulation.h>
 #include <ringwatch/app/run/stopwatch.h>
+#include <ringwatch/app/scene/saved_json.h>
 #include <ringwatch/app/scene/scene_state.h>
 #include <ringwatch/base/atomic_file.h>
 #include <ringwatch/base/error.h>
@@ -53,12 +54,12 @@ class Runner {
     run_.result.files.emplace_back("summary.json");
     const std::filesystem::path file = run_.options.folder / "summary.json";
     try {
-      writeFileAtomically(file, labelledJson(summary()).dump(2) + "\n");
+      writeFileAtomically(file, jsonText(labelledJson(summary())));
     } catch (const std::exception& fault) {
-      throw RunFailed(run_.result.reason == ExitReason::failed ? run_.result.reasonText
-                      : dynamic_cast<const InputError*>(&fault)
-                          ? fault.what()
-                          : fmt::format("cannot write {}: {}", file.string(), faultText(fault)));
+      const std::string text = dynamic_cast<const InputError*>(&fault)
+                                   ? fault.what()
+                                   : fmt::format("cannot write {}: {}", file.string(), faultText(fault));
+      throw RunFailed(run_.result.reason == ExitReason::failed ? run_.result.reasonText + "; " + text : text);
     }
     std::error_code ignored;
     if (!run_.result.canGoOn()) std::filesystem::remove(run_.options.folder / checkpointFile, ignored);

@@ -15,6 +15,7 @@
 
 #include <ringwatch/app/scene/deck_writer.h>
 #include <ringwatch/app/scene/dyna_scene.h>
+#include <ringwatch/app/scene/toml_text.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/input_file.h>
 #include <ringwatch/base/user_text.h>
@@ -233,12 +234,7 @@ class DeckReader : DeckWriter {
   bool isTaken(DeckRule rule) const { return rule == DeckRule::taken || (rule == DeckRule::takenInRun && forRun()); }
   /// Names go into files of JSON.
   void requireUtf8(std::string_view text, std::size_t position) const {
-    if (std::ranges::all_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x80; })) return;
-    try {
-      (void)Json(text).dump();
-    } catch (const Json::type_error&) {
-      lines_.failAt(position, "the line is not UTF-8; save the deck as UTF-8");
-    }
+    if (firstNotUtf8(text) < text.size()) lines_.failAt(position, "the line is not UTF-8; save the deck as UTF-8");
   }
   /// Does what the table says of the keyword, or of a parameter of it. False where it is refused.
   bool follow(DeckRule rule, const std::string& parameter, std::string_view why) {

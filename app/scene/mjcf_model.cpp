@@ -15,6 +15,7 @@
 #include <Eigen/Geometry>
 #include <pugixml.hpp>
 
+#include <ringwatch/app/scene/toml_text.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/input_file.h>
 #include <ringwatch/base/nearest_name.h>
@@ -138,11 +139,15 @@ class XmlFiles {
     source->path = path;
     source->text = detail::readWholeFile(path);
     const pugi::xml_parse_result parsed = source->document.load_buffer(source->text.data(), source->text.size());
-    if (!parsed) {
-      const auto end = source->text.begin() + std::min<std::ptrdiff_t>(parsed.offset, std::ssize(source->text));
-      throw InputError(fmt::format("{}:{}: not XML: {}", path.string(), 1 + std::count(source->text.begin(), end, '\n'),
-                                   parsed.description()));
-    }
+    const auto fault = [&](std::ptrdiff_t at, std::string_view text) {
+      const auto begin = source->text.begin(), end = begin + std::min(at, std::ssize(source->text));
+      return InputError(fmt::format("{}:{}: {}", path.string(), 1 + std::count(begin, end, '\n'), text));
+    };
+    if (!parsed) throw fault(parsed.offset, fmt::format("not XML: {}", parsed.description()));
+    // Names go into files of JSON.
+    if (const std::size_t at = firstNotUtf8(source->text);
+        parsed.encoding == pugi::encoding_utf8 && at < source->text.size())
+      throw fault(static_cast<std::ptrdiff_t>(at), "not UTF-8; save the model as UTF-8");
     const XmlElement root{source->document.document_element(), source.get()};
     if (root.node.empty()) throw InputError(fmt::format("{}: has no element", what));
     sources_.push_back(std::move(source));

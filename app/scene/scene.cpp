@@ -8,8 +8,10 @@
 #include <ringwatch/app/scene/capabilities.h>
 #include <ringwatch/app/scene/mjcf_model.h>
 #include <ringwatch/app/scene/mjcf_scene.h>
+#include <ringwatch/app/scene/saved_json.h>
 #include <ringwatch/app/scene/scene_keys.h>
 #include <ringwatch/app/scene/scene_sections.h>
+#include <ringwatch/app/scene/toml_text.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/input_file.h>
 #include <ringwatch/base/nearest_name.h>
@@ -149,6 +151,8 @@ Scene readScene(const std::filesystem::path& file, const std::vector<std::string
 bool isModelFile(const std::filesystem::path& file) { return isDeckFile(file) || isMjcfFile(file); }
 
 Scene sceneOfModel(const std::filesystem::path& file, DeckUse use, const std::vector<std::string>& overrides) {
+  if (firstNotUtf8(file.string()) < file.string().size())
+    throw InputError(fmt::format("{}: the name of a model is to be UTF-8; rename the file", file.string()));
   DeckScene model = isMjcfFile(file) ? readMjcfScene(file) : readDeckScene(file, use);
   Scene scene = makeScene(file, sceneTablesOfDeck(file, model, overrides));
   scene.ofModel = true;
@@ -159,8 +163,7 @@ Scene sceneOfModel(const std::filesystem::path& file, DeckUse use, const std::ve
 
 Scene sceneOfRun(const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / "summary.json";
-  const Json summary =
-      Json::parse(readBytes(file, "; it is there when a run has ended in this folder"), nullptr, false);
+  const Json summary = savedJson(readBytes(file, "; it is there when a run has ended in this folder"));
   const auto echo = summary.is_object() ? summary.find("scene") : summary.end();
   if (!summary.is_object() || echo == summary.end() || !echo->is_object())
     throw InputError(fmt::format("{}: not the summary of a run; it has no \"scene\"", file.string()));

@@ -111,7 +111,9 @@ double TimeTable::gauss(double a, double b) const {
 }
 
 void TimeTable::divide(double a, double b, double whole, double tolerance) {
-  constexpr std::size_t mostPanels = 131072;
+  // Fewer of a long text, which takes as long in all.
+  constexpr std::size_t mostPanels = 131072, longText = 250;  // characters
+  const std::size_t most = mostPanels * longText / std::max(longText, expression_->text().size());
   const double middle = 0.5 * (a + b);
   checked(middle);
   const double left = gauss(a, middle), right = gauss(middle, b);
@@ -121,7 +123,7 @@ void TimeTable::divide(double a, double b, double whole, double tolerance) {
       times_.push_back(end);
       integrals_.push_back(integrals_.back() + part);
     }
-    if (times_.size() > mostPanels)
+    if (times_.size() > most)
       throw InputError(
           fmt::format("{} changes too often before the end to be integrated", inQuotes(expression_->text())));
     return;

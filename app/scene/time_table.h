@@ -26,7 +26,8 @@ class TimeTable {
   TimeTable(std::vector<double> times, std::vector<double> factors, Ramp ramp);
   /// An expression for times from 0 to about `end`, s. Its integral is taken by Gauss' rule of ten points on panels
   /// that are halved until two halves differ from the whole by no more than 1e-15 of the largest factor times the end.
-  /// Throws InputError where it has no finite value, and where that takes more than 131072 panels.
+  /// Throws InputError where it has no finite value, and where that takes more than 131072 panels; fewer of an
+  /// expression of more than 250 characters.
   TimeTable(TimeExpression expression, double end);
 
   /// The factor at time t, s.

@@ -102,18 +102,25 @@ std::optional<TomlTextFault> tomlTextFault(std::string_view text) {
     const auto end = text.begin() + static_cast<std::ptrdiff_t>(at);
     return TomlTextFault{1 + static_cast<std::size_t>(std::count(text.begin(), end, '\n')), std::move(what)};
   };
-  for (std::size_t at = 0; at < text.size();) {
-    const Character character = decode(text.substr(at));
-    if (character.bytes == 0)
-      return fault(at, fmt::format("the byte 0x{:02X} is not UTF-8; save the text as UTF-8",
-                                   static_cast<unsigned>(static_cast<unsigned char>(text[at]))));
-    if (character.code == 0) return fault(at, "a NUL byte, which no text has; is this a scene file (TOML)?");
-    at += character.bytes;
-  }
+  if (const std::size_t at = firstNotUtf8(text); at < text.size())
+    return fault(at, fmt::format("the byte 0x{:02X} is not UTF-8; save the text as UTF-8",
+                                 static_cast<unsigned>(static_cast<unsigned char>(text[at]))));
+  if (const std::size_t at = text.find('\0'); at != text.npos)
+    return fault(at, "a NUL byte, which no text has; is this a scene file (TOML)?");
   if (const std::size_t at = Walk(text).firstStray(); at < text.size())
     return fault(at, fmt::format("the character U+{:04X} is not ASCII; it may stand in a \"text\" or a comment only",
                                  decode(text.substr(at)).code));
   return std::nullopt;
+}
+
+std::size_t firstNotUtf8(std::string_view text) {
+  std::size_t at = 0;
+  while (at < text.size()) {
+    const std::size_t bytes = decode(text.substr(at)).bytes;
+    if (bytes == 0) break;
+    at += bytes;
+  }
+  return at;
 }
 
 }  // namespace ringwatch

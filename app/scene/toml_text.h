@@ -17,4 +17,7 @@ struct TomlTextFault {
 /// is well.
 std::optional<TomlTextFault> tomlTextFault(std::string_view text);
 
+/// Where the first byte lies that is not UTF-8; the size of the text for nowhere.
+std::size_t firstNotUtf8(std::string_view text);
+
 }  // namespace ringwatch

@@ -11,6 +11,7 @@
 
 #include <ringwatch/app/run/checkpoint.h>
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/fnv.h>
 
 #include "program.h"
 
@@ -411,6 +412,11 @@ TEST_F(Checkpoints, AreRefusedWhereTheyDoNotFit) {
   std::string bytes = folder_.read("part/checkpoint.bin");
   bytes[bytes.size() / 2] ^= 1;
   folder_.write("part/checkpoint.bin", bytes);
+  expectRefused("run --resume part", "part/checkpoint.bin: is damaged");
+  const std::string deep(100'000, '\x81');  // CBOR's lists, one within the other
+  const std::uint64_t size = deep.size();
+  folder_.write("part/checkpoint.bin", sealed(bytes.substr(0, bytes.find('\n') + 1) +
+                                              std::string(reinterpret_cast<const char*>(&size), sizeof size) + deep));
   expectRefused("run --resume part", "part/checkpoint.bin: is damaged");
   folder_.write("part/checkpoint.bin", "short");
   expectRefused("run --resume part", "part/checkpoint.bin: is no checkpoint");

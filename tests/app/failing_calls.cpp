@@ -1,8 +1,9 @@
 // Loaded before the C library: from the start of main on, the call FAIL_AT of the kind FAIL_CALL fails, once, in
 // programs whose name begins with ringwatch. The number of calls of the kind goes into the file FAIL_COUNT when the
 // program ends. Of the kinds "memory" is an allocation of 2000 bytes or more that fails when it is tried once more,
-// too, and "short" a write of half of what it is given. What VTK and OpenMP call is passed over: they end the process
-// by a signal or a line of their own then.
+// too, and "short" a write of half of what it is given. "signal" is any call on files, none of which fails: SIGTERM
+// comes before it. What VTK and OpenMP call is passed over: they end the process by a signal or a line of their own
+// then.
 #include <dirent.h>
 #include <dlfcn.h>
 #include <execinfo.h>
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <csignal>
 #include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
@@ -51,6 +53,11 @@ bool isPassedOver() {
 }
 
 bool fails(std::string_view kind, int reason, long times = 1) {
+  if (chosen == "signal") {
+    constexpr std::string_view ofFiles = "open write fsync rename read";
+    if (ofFiles.find(kind) != ofFiles.npos && calls++ == failing) std::raise(SIGTERM);
+    return false;
+  }
   if (kind != chosen) return false;
   const long call = calls++ - failing;
   if (failing < 0 || call < 0 || call >= times || isPassedOver()) return false;

@@ -306,6 +306,18 @@ TEST_F(Faults, AKilledRunLeavesWholeRows) {
   expectNothingHalfWritten("r");
 }
 
+TEST_F(Faults, TakesNamesThatAreNotUtf8) {
+  folder_.write("b\xff.toml", withoutPicture);
+  const Outcome run = call("run b\xff.toml --out r");
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(json("r/summary.json")["exit_status"], 0);
+  EXPECT_THAT(folder_.read("r/summary.json"), HasSubstr("b\xEF\xBF\xBD.toml"));  // U+FFFD
+  const Outcome suggested = call("suggest b\xff.toml --frame 1/60 --json s.json");
+  EXPECT_EQ(suggested.status, 0) << suggested.err;
+  folder_.write("b\xff.inp", "*NODE\n1, 0, 0, 0\n");
+  expectRefused(call("run b\xff.inp"), "b\xff.inp: the name of a model is to be UTF-8; rename the file");
+}
+
 // Limits, full disks, closed streams
 
 TEST_F(Faults, AFrameThatDoesNotFitIsOneLine) {

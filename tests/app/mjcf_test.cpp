@@ -549,6 +549,7 @@ TEST_F(MujocoModels, RefuseWhatTheyCannotAnswerFor) {
     return model("<flexcomp name=\"soft\" dim=\"3\" count=\"3 3 3\" " + attributes + ">\n" + inside + "\n</flexcomp>");
   };
   refuse("<mujoco>\n<worldbody>\n</body></mujoco>", "model.xml:3: not XML: ");
+  refuse("<mujoco>\n<worldbody name=\"\xc0\"/>\n</mujoco>", "model.xml:2: not UTF-8; save the model as UTF-8");
   refuse(model("<geom/>"),
          "model.xml: no <flexcomp dim=\"3\"> or <flex dim=\"3\"> that deforms, whose step could be "
          "told; there are 1 geom");

@@ -305,10 +305,14 @@ TEST_F(Report, OfAFolderThatLacksSomethingSaysSo) {
   damaged.replace(damaged.find("\n1,") + 1, 20, "\n");
   folder_.write("p/history.csv", damaged);
   folder_.write("p/frames/frame_000002.vtu", folder_.read("r/frames/frame_000002.vtu").substr(0, 900));
-  folder_.write("p/summary.json", "{\"verdict\": ");
-  ASSERT_EQ(call("report p").status, 0);
-  EXPECT_THAT(folder_.read("p/report.html"), AllOf(HasSubstr("damaged rows"), HasSubstr("1 frames cannot be read"),
-                                                   HasSubstr("summary.json is damaged")));
+  for (const std::string& summary :
+       {std::string("{\"verdict\": "),
+        "{\"scene\": {\"mesh\": " + std::string(200'000, '[') + std::string(200'000, ']') + "}}"}) {
+    folder_.write("p/summary.json", summary);
+    ASSERT_EQ(call("report p").status, 0);
+    EXPECT_THAT(folder_.read("p/report.html"), AllOf(HasSubstr("damaged rows"), HasSubstr("1 frames cannot be read"),
+                                                     HasSubstr("summary.json is damaged")));
+  }
   // A summary in which everything has another type.
   folder_.write("p/summary.json", R"({"verdict": 3, "events": [1, {"kind": 2}], "mesh": [], "notes": {}, "cuts": 1,
       "scene": "x", "wall_time": null, "first_violated": true, "handler": 7, "provenance": [], "energy_runaway": {"time": "x"}})");

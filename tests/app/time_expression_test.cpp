@@ -88,6 +88,12 @@ TEST(TimeExpression, SaysWhatIsWrong) {
   EXPECT_THAT(faultOfTime("1/t"), HasSubstr("\"1/t\" has no value at t = 0 s"));
   EXPECT_THAT(faultOfTime("sqrt(0.5 - t)"), HasSubstr("has no value at t = 0.5"));
   EXPECT_THAT(faultOfTime("sin(1e9*t)"), HasSubstr("changes too often before the end"));
+  // Sooner for a long text, which takes longer at each time.
+  const std::string wave = "sin(1.2e5*t)";
+  std::string many = wave;
+  while (many.size() < 1900) many += "+" + wave;
+  EXPECT_THAT(faultOfTime(wave), HasSubstr("no fault"));
+  EXPECT_THAT(faultOfTime(many), HasSubstr("changes too often before the end"));
 }
 
 constexpr const char* pulled =

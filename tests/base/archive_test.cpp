@@ -133,5 +133,29 @@ TEST(Archive, RefusesBytesThatEndEarlyOrLate) {
   EXPECT_THROW(archive.end(), InputError);
 }
 
+TEST(Archive, RefusesSizesThatNoMatrixHas) {
+  constexpr std::int64_t huge = std::int64_t{1} << 61;  // of doubles: 0 bytes, counted in 64 bits
+  for (const auto& [rows, columns] : {std::pair{huge, std::int64_t{1}},
+                                      {std::int64_t{1}, huge},
+                                      {huge, huge},
+                                      {std::int64_t{-1}, std::int64_t{1}},
+                                      {std::int64_t{1}, std::int64_t{-1}}}) {
+    SavingArchive saving;
+    std::int64_t sizes[] = {rows, columns};
+    saving(sizes);
+    const std::string bytes = saving.take() + std::string(64, 'x');
+    LoadingArchive archive(bytes);
+    Eigen::MatrixXd matrix;
+    EXPECT_THROW(archive(matrix), InputError) << rows << " " << columns;
+  }
+  SavingArchive saving;
+  Eigen::MatrixXd wide = Eigen::MatrixXd::Zero(4, 2);
+  saving(wide);
+  const std::string bytes = saving.take();
+  Eigen::Matrix3Xd three;  // has three rows
+  LoadingArchive archive(bytes);
+  EXPECT_THROW(archive(three), InputError);
+}
+
 }  // namespace
 }  // namespace ringwatch

@@ -122,6 +122,11 @@ TEST(SavedMonitor, RefusesWhatIsNotItsOwn) {
                      0, static_cast<std::size_t>(share * static_cast<double>(bytes.size())))),
                  InputError);
   EXPECT_THROW(StabilityMonitor(body, {}).load(bytes + "x"), InputError);
+  for (std::size_t place = 0; place < bytes.size(); place += bytes.size() / 50) {
+    std::string damaged = bytes;
+    damaged[place] ^= static_cast<char>(1 << place % 8);
+    EXPECT_THROW(StabilityMonitor(body, {}).load(damaged), InputError) << place;
+  }
   StabilityMonitor(body, {}).load(bytes);
 }
 
