@@ -380,8 +380,8 @@ void Simulation::finish() {
   }
   result.runaway = energies.runaway();
   const Stopwatch measured(result.outputTime);
-  recorder.completeReasons(body, rule);
   output->finish(result, state, whole && finite ? &last : nullptr);
+  recorder.completeReasons(body);
 }
 
 }  // namespace ringwatch
