@@ -183,6 +183,7 @@ void Simulation::takeEvaluation(bool rowDue) {
     energies.setDissipatedByHandler(handler->dissipated());
   energies.record(state, evaluation_, scheme->system(), rowDue,
                   dampsAtState_ ? std::optional(evaluation_.dampingPower) : std::nullopt);
+  energies.judge(state, steps.step(), result.certified());
 }
 
 void Simulation::setLoads() {
