@@ -435,7 +435,7 @@ void answerOwnStep(const Subject& subject, CriticalStep bracket, InspectResult& 
     bracket.safe = std::max(bracket.safe, exact->at("safe").get<double>());
     bracket.optimistic = std::min(bracket.optimistic, exact->at("optimistic").get<double>());
   }
-  StepAnswer answer = answerStep(*subject.scene.step, bracket, subject.scene.mayBeStable);
+  StepAnswer answer = answerStep(subject.scene, bracket);
   result.json["timestep"] = std::move(answer.json);
   result.text += answer.text;
 }
@@ -693,7 +693,7 @@ InspectResult inspectMesh(const InspectOptions& options) {
   if (options.global) globalStep = reportGlobalStep(subject, options, result);
   ProvenSides sides;
   if (options.exact) sides = reportExactStep(subject, step, options, result);
-  if (subject.scene.ofModel && subject.scene.step) answerOwnStep(subject, step, result);
+  if (subject.scene.ofModel && (subject.scene.step || subject.scene.ownStep)) answerOwnStep(subject, step, result);
   if (options.stretch) reportRange(subject, *options.stretch, result);
 
   std::vector<MetricResult> metrics;
