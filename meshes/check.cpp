@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/meshes/adjacency.h>
 #include <ringwatch/meshes/check_texts.h>
 #include <ringwatch/meshes/part_of_mesh.h>
@@ -244,6 +245,19 @@ void requireSound(Mesh& mesh, const std::string& source, std::vector<std::string
 
 namespace detail {
 
+double distanceOfDoubles(const Mesh& mesh) {
+  constexpr double share = 1e-3;
+  double shortest = infinity;
+  for (const MeshBlock& block : mesh.blocks)
+    for (std::size_t e = 0; e < block.elementCount(); ++e)
+      for (const auto& edge : elementInfo(block.type).edges)
+        if (const double length =
+                (mesh.X.col(block.element(e)[edge[1]]) - mesh.X.col(block.element(e)[edge[0]])).norm();
+            length > 0)
+          shortest = std::min(shortest, length);
+  return share * shortest;
+}
+
 double leastJacobian(const ElementInfo& info, const NodeVectors& X, const std::int32_t* nodes) {
   return leastOf(info, longestEdge(info, X, nodes));
 }
@@ -314,7 +328,7 @@ std::vector<std::int32_t> firstNodesAtPlaces(const Mesh& mesh, double near, bool
   if (mesh.nodeCount() == 0) return at;
   const std::vector<bool> used = usedNodes(mesh);
   const Eigen::Vector3d low = mesh.X.rowwise().minCoeff();
-  const CoincidenceGrid grid(low, mesh.X.rowwise().maxCoeff(), near);
+  const CoincidenceGrid grid(low, mesh.X.rowwise().maxCoeff(), std::max(near, distanceOfDoubles(mesh)));
   if (!grid.exists()) return at;
   std::unordered_map<std::uint64_t, std::int32_t> lastOfCell;
   lastOfCell.reserve(mesh.nodeCount());

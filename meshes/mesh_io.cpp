@@ -151,6 +151,7 @@ Mesh loadMesh(const fs::path& path, std::vector<std::string>* notes, bool repair
 
 MeshState readVtuState(const fs::path& path, const std::string& displacement, std::vector<std::string>* notes) {
   const std::string text = detail::readWholeFile(path);
+  detail::refuseForeignStates(path, text);
   if (!startsWithXml(text))
     throw InputError(path.string() + ": displacements are read from .vtu files only; this is another format");
   return detail::readVtuState(path, text, displacement, notes);

@@ -53,7 +53,7 @@ fs::path pieceOf(const fs::path& file) {
 detail::ResultFrame readFrame(const fs::path& file, const std::vector<std::string>& names,
                               std::vector<std::string>* notes) {
   const std::string text = detail::readWholeFile(file);
-  detail::refuseForeign(file, text);
+  detail::refuseForeignStates(file, text);
   if (text.starts_with("# vtk DataFile")) return detail::readLegacyVtkResult(file, text, names, notes);
   return detail::readVtuResult(file, text, names, notes);
 }
@@ -193,8 +193,10 @@ void ResultSeries::openVtk(const std::vector<fs::path>& files, const std::string
   std::vector<VtkFile> frames;
   for (const fs::path& file : files) {
     static const std::set<std::string> known{".pvd", ".vtu", ".pvtu", ".vtk"};
-    if (!known.contains(file.extension().string()))
+    if (!known.contains(file.extension().string())) {
+      detail::refuseForeignStates(file, detail::readWholeFile(file));
       throw InputError(file.string() + ": holds no results; give a .frd, .pvd, .vtu, .pvtu or .vtk file");
+    }
     if (file.extension() != ".pvd") {
       frames.push_back({pieceOf(file), {}});
       continue;

@@ -331,12 +331,31 @@ class AuditReport {
   }
 
  private:
-  /// What a user asks first: how large the steps were beside what is proven of the same states.
+  /// In how many states something is wrong, each with a semicolon behind it; "" where nothing is.
+  std::string whatIsWrong() const {
+    std::string text;
+    const auto tell = [&](std::string_view what, const auto& holds, const std::string& more) {
+      if (const auto count = std::ranges::count_if(states_, holds); count > 0)
+        text += fmt::format("{} in {} of {} states{}; ", what, count, states_.size(), more);
+    };
+    const auto excess = [](const AuditedState& state) {
+      return state.violated() ? *state.step / state.bracket->optimistic : 0;
+    };
+    const AuditedState& worst = *std::ranges::max_element(states_, {}, excess);
+    tell("the step is proven unstable", &AuditedState::violated,
+         fmt::format(", at worst {:.3g} times the largest that may be stable, in {}", excess(worst), nameOf(worst)));
+    tell("an element is inverted", &AuditedState::inverted, "");
+    tell("all is lost", &AuditedState::lost, "");
+    return text;
+  }
+
+  /// What a user asks first: what is wrong, and how large the steps were beside what is proven of the same states.
   void conclude(AuditResult& result, bool known) const {
     Json& steps = result.json["steps"] = nullptr;
+    const std::string wrong = whatIsWrong();
     result.json["conclusion"] =
-        known ? "no step is proven stable"
-              : "the results do not tell which step was taken; --step h holds one against the brackets";
+        wrong + (known ? "no step is proven stable"
+                       : "the results do not tell which step was taken; --step h holds one against the brackets");
     const AuditedState* closest = nullptr;
     double largest = 0, least = infinity;
     bool curable = true;
@@ -355,9 +374,9 @@ class AuditReport {
         Json{{"largest", largest}, {"largest_share", share}, {"state", closest->index + 1}, {"proven_in_all", least}};
     const double room = least / largest;
     result.json["conclusion"] = fmt::format(
-        "the step came to {:.3g} times the proven one, in {}; {:.6g} s is proven in every one of these "
+        "{}the step came to {:.3g} times the proven one, in {}; {:.6g} s is proven in every one of these "
         "states{}{}",
-        share, nameOf(*closest), least, curable ? "" : " whose tangent is not indefinite",
+        wrong, share, nameOf(*closest), least, curable ? "" : " whose tangent is not indefinite",
         room > 1 && curable ? fmt::format(": the run could have been {:.3g} times shorter", room) : "");
   }
 
@@ -411,15 +430,18 @@ std::string junitText(const Json& audit) {
           state["safe"].dump());
       continue;
     }
+    const std::string step =
+        state["step"].is_null() || !(state["safe"].is_number() && state["safe"] > 0)
+            ? fmt::format("step {} s, safe {} s", state["step"].dump(), state["safe"].dump())
+            : fmt::format("step {} s, {:.3g} times the proven one, {} s", state["step"].dump(),
+                          state["step"].get<double>() / state["safe"].get<double>(), state["safe"].dump());
     if (fault.empty()) {
-      cases += fmt::format(
-          ">\n    <system-out>step {} s, {:.3g} times the proven one, {} s</system-out>\n  </testcase>\n",
-          state["step"].dump(), state["step"].get<double>() / state["safe"].get<double>(), state["safe"].dump());
+      cases += fmt::format(">\n    <system-out>{}</system-out>\n  </testcase>\n", step);
       continue;
     }
     ++failures;
-    cases += fmt::format(">\n    <failure message=\"{}: step {} s, safe {} s, optimistic {} s\"/>\n  </testcase>\n",
-                         fault, state["step"].dump(), state["safe"].dump(), state["optimistic"].dump());
+    cases += fmt::format(">\n    <failure message=\"{}: {}, optimistic {} s\"/>\n  </testcase>\n", fault, step,
+                         state["optimistic"].dump());
   }
   return fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" "

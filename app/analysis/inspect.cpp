@@ -435,7 +435,7 @@ void answerOwnStep(const Subject& subject, CriticalStep bracket, InspectResult& 
     bracket.safe = std::max(bracket.safe, exact->at("safe").get<double>());
     bracket.optimistic = std::min(bracket.optimistic, exact->at("optimistic").get<double>());
   }
-  StepAnswer answer = answerStep(*subject.scene.step, bracket, subject.scene.mayBeStable);
+  StepAnswer answer = answerStep(subject.scene, bracket);
   result.json["timestep"] = std::move(answer.json);
   result.text += answer.text;
 }
@@ -471,14 +471,14 @@ ProvenSides reportProof(Subject& subject, double h, const CriticalStep& bracket,
 }
 
 /// The table of metrics. A difference is (step - global) / global: negative is pessimistic.
-void reportMetrics(const std::vector<MetricResult>& metrics, const StepRule& rule, std::optional<double> globalStep,
+void reportMetrics(const std::vector<MetricResult>& metrics, const Subject& subject, std::optional<double> globalStep,
                    Json& json, std::string& text) {
   for (const char* key : {"metrics", "directions", "controlling"}) json[key] = Json::object();
   if (globalStep) json["differences_percent"] = Json::object();
   text += fmt::format("  {:<32} {:<10} {:>16} {}element\n", "metric", "side", "step (s)",
                       globalStep ? "  difference (%)  " : "  ");
   for (const MetricResult& m : metrics) {
-    const double h = stepBy(m.direction, m.lambda, rule);
+    const double h = stepBy(m.direction, m.lambda, subject.rule());
     const std::string name(m.info->name);
     json["metrics"][name] = h;
     json["directions"][name] = std::string(stepSide(m.direction));
@@ -492,6 +492,10 @@ void reportMetrics(const std::vector<MetricResult>& metrics, const StepRule& rul
     text += fmt::format("{}:{}\n", m.controlling.block, m.controlling.element);
   }
   text += "  safe: proven, the critical step is at least this; optimistic: proven, at most this\n";
+  if (!subject.scene.pointMasses.empty() || subject.scene.hasElementDamping())
+    text +=
+        "  estimates by waves are those of a material alone: neither mass that is added nor damping of elements is in "
+        "them\n";
 }
 
 void checkOptions(const InspectOptions& options) {
@@ -693,7 +697,7 @@ InspectResult inspectMesh(const InspectOptions& options) {
   if (options.global) globalStep = reportGlobalStep(subject, options, result);
   ProvenSides sides;
   if (options.exact) sides = reportExactStep(subject, step, options, result);
-  if (subject.scene.ofModel && subject.scene.step) answerOwnStep(subject, step, result);
+  if (subject.scene.ofModel && (subject.scene.step || subject.scene.ownStep)) answerOwnStep(subject, step, result);
   if (options.stretch) reportRange(subject, *options.stretch, result);
 
   std::vector<MetricResult> metrics;
@@ -703,7 +707,7 @@ InspectResult inspectMesh(const InspectOptions& options) {
       if (progress.due()) progress.show(fmt::format("{}: {:.0f} %", name, 100 * done), done);
     }));
   }
-  if (!metrics.empty()) reportMetrics(metrics, subject.rule(), globalStep, result.json["critical_step"], result.text);
+  if (!metrics.empty()) reportMetrics(metrics, subject, globalStep, result.json["critical_step"], result.text);
   reportControllingElement(
       {elementJson(subject.body.mesh(), step.controlling), elementText(subject.body.mesh(), step.controlling),
        quality[step.controlling.block][step.controlling.element]},

@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include <ringwatch/app/scene/scene.h>
 #include <ringwatch/monitor/event.h>
 #include <ringwatch/monitor/stability_monitor.h>
 
@@ -43,12 +42,16 @@ Verdict verdictOf(double step, const CriticalStep& bracket, const std::string& m
   return verdict == Verdict::violated && !mayBeStable.empty() ? Verdict::notCertified : verdict;
 }
 
-StepAnswer answerStep(double step, const CriticalStep& bracket, const std::string& mayBeStable) {
-  const Verdict verdict = verdictOf(step, bracket, mayBeStable);
+StepAnswer answerStep(const Scene& scene, const CriticalStep& bracket) {
+  const double step = scene.step ? *scene.step : scene.ownStep.value();
+  const Verdict verdict = verdictOf(step, bracket, scene.mayBeStable);
   StepAnswer answer{Json{{"asked", step}, {"verdict", std::string(verdictName(verdict))}, {"steps", nullptr}}, ""};
   std::string& text = answer.text;
-  text = fmt::format("your timestep {:.6g} s is {}", step, verdictText(verdict, bracket, mayBeStable));
-  if (verdict == Verdict::violated) text += fmt::format(", as is every one above {:.6g} s", bracket.optimistic);
+  text = fmt::format("{} {:.6g} s is {}", scene.step ? "your timestep" : "its own program's step at rest", step,
+                     verdictText(verdict, bracket, scene.mayBeStable));
+  if (verdict == Verdict::violated)
+    text += fmt::format(", as is every one above {:.6g} s, {:.3g} times less", bracket.optimistic,
+                        step / bracket.optimistic);
   if (bracket.indefinite()) {
     text += verdict == Verdict::violated ? "; " + indefiniteText(bracket) + "\n" : "\n";
     return answer;

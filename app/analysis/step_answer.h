@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <ringwatch/app/scene/scene.h>
 #include <ringwatch/monitor/stability_monitor.h>
 #include <ringwatch/monitor/step_limit.h>
 
@@ -27,8 +28,8 @@ struct StepAnswer {
   nlohmann::ordered_json json;  // the contract of `timestep`
   std::string text;
 };
-/// Of a step, s: whether it is proven stable or unstable, the largest one that is proven stable, and how many substeps
-/// of it are.
-StepAnswer answerStep(double step, const CriticalStep& bracket, const std::string& mayBeStable);
+/// Of the step of a scene, else of the one that its own program takes (Scene::ownStep): whether it is proven stable or
+/// unstable, the largest one that is proven stable, and how many substeps of it are.
+StepAnswer answerStep(const Scene& scene, const CriticalStep& bracket);
 
 }  // namespace ringwatch

@@ -42,12 +42,13 @@ SuggestResult suggestSteps(const SuggestOptions& options) {
   const StepRule& rule = start.rule;
   std::vector<std::string> notes = start.notes;
   if (options.stretch) requireTaken(scene, SceneUse::stretch);
-  if (!options.frame && !scene.step)
+  const std::optional<double> asked = scene.step ? scene.step : scene.ownStep;
+  if (!options.frame && !asked)
     throw InputError(
         fmt::format("{}: integrator.step = \"auto\": the time in which steps are counted is needed; give --frame, e.g. "
                     "--frame 1/60",
                     scene.file.string()));
-  const double frame = options.frame.value_or(scene.step.value_or(0));
+  const double frame = options.frame.value_or(asked.value_or(0));
   const CriticalStep bracket = criticalStep(body, start.state.x, rule);
 
   SuggestResult result;
@@ -78,18 +79,18 @@ SuggestResult suggestSteps(const SuggestOptions& options) {
                                tellSteps(frame, range.safe, own) + " where the tangent is not indefinite");
   }
   if (scene.step) json["scene_step"] = *scene.step;
-  if (scene.step && !options.frame) {
-    const StepAnswer answer = answerStep(*scene.step, bracket, scene.mayBeStable);
+  if (asked && !options.frame) {
+    const StepAnswer answer = answerStep(scene, bracket);
     json["timestep"] = answer.json;
     result.text += "  " + answer.text;
-    if (scene.ofModel && verdictOfState(*scene.step, bracket) == Verdict::notCertified && !bracket.indefinite())
+    if (scene.ofModel && verdictOfState(*asked, bracket) == Verdict::notCertified && !bracket.indefinite())
       notes.push_back(
           fmt::format("ringwatch inspect {} --exact tells the critical step to a millionth", scene.file.string()));
   }
-  if (scene.step && options.frame) {
-    const Verdict verdict = verdictOf(*scene.step, bracket, scene.mayBeStable);
-    result.text += fmt::format("  the step of the scene     {:.6g} s, {:.0f} steps: {} at its start\n", *scene.step,
-                               stepsIn(frame, *scene.step), verdictText(verdict, bracket, scene.mayBeStable));
+  if (asked && options.frame) {
+    const Verdict verdict = verdictOf(*asked, bracket, scene.mayBeStable);
+    result.text += fmt::format("  the step of the scene     {:.6g} s, {:.0f} steps: {} at its start\n", *asked,
+                               stepsIn(frame, *asked), verdictText(verdict, bracket, scene.mayBeStable));
   }
   if (!scene.contacts.empty())
     notes.emplace_back(

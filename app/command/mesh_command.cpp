@@ -160,8 +160,12 @@ struct MeshCommand final : Command {
     const Mesh mesh = readMesh(input, &notes);
     const RepairedMesh repaired = repairMesh(mesh, input, distance);
     write(repaired.mesh, target);
-    for (std::string& note : meshNotes(repaired.mesh, target)) notes.push_back(std::move(note));
-    std::string text;
+    std::string text, left = kindsOf(repaired.problems);
+    for (std::string& note : meshNotes(repaired.mesh, target)) {
+      const std::size_t begin = target.size() + 2;  // behind its name
+      left += (left.empty() ? "" : "; ") + note.substr(begin, note.find_first_of(";:", begin) - begin);
+      notes.push_back(std::move(note));
+    }
     for (const std::string& note : notes) text += "note: " + note + "\n";
     for (const std::string& line : repaired.done) text += line + "\n";
     if (repaired.done.empty()) text += fmt::format("{}: nothing more to repair\n", input);
@@ -170,8 +174,7 @@ struct MeshCommand final : Command {
       text += fmt::format("{}: the volume was {:.10g} m³ and is {:.10g} m³\n", target, meshVolume(mesh),
                           meshVolume(repaired.mesh));
     text += conclusionLine(fmt::format("{}: {} nodes, {}{}", target, repaired.mesh.nodeCount(),
-                                       elementCounts(repaired.mesh),
-                                       repaired.problems.empty() ? "" : "; left: " + kindsOf(repaired.problems)));
+                                       elementCounts(repaired.mesh), left.empty() ? "" : "; left: " + left));
     if (units) useUnits(*units);
     printOut(labelled(text));
     return repaired.problems.empty() ? ExitStatus::done : ExitStatus::unstable;

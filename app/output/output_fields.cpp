@@ -326,7 +326,9 @@ constexpr OutputField inspectionAlone[] = {
     {"quality.*.min_element.index", "", "of that element in its block, from 0", F::integer},
     {"quality.*.max_element.block", "", "of the element with the largest value, from 0", F::integer},
     {"quality.*.max_element.index", "", "of that element in its block, from 0", F::integer},
-    {"timestep", "", "what the bracket says of the step that the scene gives, of a deck or model that gives one",
+    {"timestep", "",
+     "what the bracket says of the step that the deck or model gives, or of the one that its own "
+     "program takes at rest by a rule that is known",
      F::object, P::sometimes},
     {"timestep.asked", "s", "that step"},
     {"timestep.verdict", "",
@@ -515,8 +517,10 @@ constexpr OutputField suggestionAlone[] = {
     {"range.steps", "", "equal steps in the time, each proven stable; null where no number is", F::integer, P::orNull},
     {"range.step", "s", "the length of each", F::number, P::sometimes},
     {"scene_step", "s", "the step that the scene gives, where it gives one", F::number, P::sometimes},
-    {"timestep", "", "what the bracket says of the step that the scene gives, where it is answered for", F::object,
-     P::sometimes},
+    {"timestep", "",
+     "what the bracket says of the step that the scene gives, or that its own program takes at rest, "
+     "where it is answered for",
+     F::object, P::sometimes},
     {"timestep.asked", "s", "that step"},
     {"timestep.verdict", "",
      "certified: proven stable; violated: proven unstable; not-certified: neither, or the tangent is indefinite",

@@ -94,7 +94,9 @@ struct Coincidence {
 
 /// Nodes that lie where one before them lies: their number, and the first.
 std::pair<std::int64_t, Coincidence> coincidences(Ranks& ranks, const RankPart& part, const MeshBox& box) {
-  const detail::CoincidenceGrid grid(box.low, box.high);
+  double near = -detail::distanceOfDoubles(part.mesh);  // the least of all
+  ranks.largest({&near, 1});
+  const detail::CoincidenceGrid grid(box.low, box.high, -near);
   if (!grid.exists()) return {0, {}};
   const auto size = static_cast<std::uint64_t>(ranks.size());
   std::vector<std::vector<NodeInCell>> to(size);

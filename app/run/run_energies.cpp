@@ -2,6 +2,11 @@
 
 #include <cmath>
 
+#include <ringwatch/app/scene/integrator_catalog.h>
+#include <ringwatch/base/exact_sum.h>
+#include <ringwatch/body/domain.h>
+#include <ringwatch/handlers/handler.h>
+
 namespace ringwatch {
 
 RunEnergies::RunEnergies(const Scene& scene, const Body& body, double least)
@@ -29,6 +34,21 @@ void RunEnergies::record(const State& state, const StepEvaluation& evaluation, B
   if (std::isfinite(last_->balanceError)) lastError_ = last_->balanceError;
 }
 
+void RunEnergies::judge(const State& state, double h, bool certified) {
+  judged_ = last_;
+  const IntegratorInfo& info = *integratorCatalog().find(scene_.method);
+  if (!last_ || !takesHandler(info) || state.a.cols() != state.v.cols()) return;
+  const bool lags = info.order == 1;  // v is v₋, else in the middle
+  ExactSum sum;
+  for (Eigen::Index i = 0; i < body_.domain().owned(body_.nodeCount()); ++i)
+    sum.add(body_.lumpedMass()[i] *
+            (lags ? 0.5 * state.v.col(i).dot(state.a.col(i)) : -0.125 * state.a.col(i).squaredNorm()));
+  body_.domain().sum({&sum, 1});
+  if (!firstHalfStep_) firstHalfStep_ = sum.value();
+  const double kept = last_->balanceError + (lags ? h : h * h) * (sum.value() - *firstHalfStep_);
+  if (certified && std::abs(kept) < std::abs(last_->balanceError)) judged_->balanceError = kept;
+}
+
 void RunEnergies::beginBody() {
   if (last_) before_ = *last_;
   before_.balanceError = lastError_;
@@ -38,13 +58,16 @@ void RunEnergies::beginBody() {
 }
 
 nlohmann::ordered_json RunEnergies::save() const {
-  return {{"before", energiesJson(before_)}, {"runaway", runaway_.save()}};
+  return {{"before", energiesJson(before_)},
+          {"runaway", runaway_.save()},
+          {"first_half_step", firstHalfStep_ ? nlohmann::ordered_json(*firstHalfStep_) : nullptr}};
 }
 
 void RunEnergies::resume(const nlohmann::ordered_json& saved) {
   before_ = energiesOfJson(saved.at("before"));
   lastError_ = before_.balanceError;
   runaway_.resume(saved.at("runaway"));
+  if (const auto& first = saved.at("first_half_step"); !first.is_null()) firstHalfStep_ = first.get<double>();
 }
 
 }  // namespace ringwatch

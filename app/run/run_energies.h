@@ -33,6 +33,12 @@ class RunEnergies {
   void setDissipatedByHandler(double energy) {
     if (!(energy <= byHandler_)) byHandler_ = energy;
   }
+  /// Finds the error by which the energies recorded last are judged, the less of two where every step so far, the last
+  /// one of h (s), was certified. Central differences keep ½ v₋·M v₊ + V, v₋ and v₊ the velocities half a step before
+  /// and after the state, with its accelerations; ½ v·M v + V goes up and down by as much as (h ω/2)² of it though the
+  /// step is stable (Hairer, Lubich, Wanner 2003, Geometric numerical integration illustrated by the Störmer-Verlet
+  /// method). Without a proof that h ω < 2 the former tells nothing: it stays as it is in a run that is lost.
+  void judge(const State& state, double h, bool certified);
   /// The body is another one from here on. What the one before has come to is kept.
   void beginBody();
   /// Energy, J, that left with what the body before had and this one has not.
@@ -42,7 +48,7 @@ class RunEnergies {
   void resume(const nlohmann::ordered_json& saved);
   template <class Archive>
   void archive(Archive& a) {
-    a(*balance_, before_, byHandler_, last_, lastError_, runaway_);
+    a(*balance_, before_, byHandler_, last_, lastError_, runaway_, firstHalfStep_);
   }
   /// The energies at the state recorded last, all bodies together; empty unless a row was due.
   const std::optional<Energies>& last() const { return last_; }
@@ -51,12 +57,12 @@ class RunEnergies {
   void setScale(double energy) { runaway_.setScale(energy); }
   /// The last energies for the monitor's check: an error within the tolerance is none.
   std::optional<Energies> checked() const {
-    return last_ ? std::optional(runaway_.forgiven(*last_, scene_.energyTolerance)) : std::nullopt;
+    return judged_ ? std::optional(runaway_.forgiven(*judged_, scene_.energyTolerance)) : std::nullopt;
   }
 
   /// Checks the last energies, before step number `step`.
   void check(std::int64_t step, double time) {
-    if (last_) runaway_.check(*last_, step, time);
+    if (judged_) runaway_.check(*judged_, step, time);
   }
   /// The moment at which the energy ran away, as far as is known; empty where it did not.
   const std::optional<RunResult::Moment>& runaway() const { return runaway_.moment(); }
@@ -70,6 +76,10 @@ class RunEnergies {
   Energies before_;       // what the bodies before have come to
   double byHandler_ = 0;  // J, of the body now
   std::optional<Energies> last_;
+  std::optional<Energies> judged_;
+  /// Of the first state with a row, what the energy lacks to the one that is kept, over h or h². Empty for schemes that
+  /// keep no such energy, and where a handler or a device steps.
+  std::optional<double> firstHalfStep_;
   double lastError_ = 0;  // J, of the balance, the last one that was a number
   NodeVectors dampingForce_;
   EnergyRunaway runaway_;

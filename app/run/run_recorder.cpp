@@ -10,9 +10,13 @@
 #include <ringwatch/app/output/step_reasons.h>
 #include <ringwatch/app/run/checkpoint.h>
 #include <ringwatch/app/scene/integrator_catalog.h>
+#include <ringwatch/app/scene/scene_discrete.h>
 #include <ringwatch/body/discrete_forces.h>
+#include <ringwatch/monitor/critical_step.h>
 
 namespace ringwatch {
+
+using Json = nlohmann::ordered_json;
 
 void RunRecorder::follow(const Mesh& mesh) {
   materialOfBlock_ = materialOfBlocks(mesh);
@@ -75,17 +79,29 @@ void RunRecorder::recordReasons(const MonitorReport& report, const Body& body, c
   leastElements_ = body.elementCount();
 }
 
-void RunRecorder::completeReasons(Body& body, const StepRule& rule) {
-  if (leastX_.cols() != body.nodeCount() || leastElements_ != body.elementCount()) return addParagraph(result_.why);
+void RunRecorder::completeReasons(Body& body) {
+  Json& why = result_.why;
+  if (leastX_.cols() != body.nodeCount() || leastElements_ != body.elementCount()) return addParagraph(why);
   if (body.elementDamping()) body.followDampingRates(leastX_, leastV_);
-  addRemedies(result_.why, body, leastX_, rule, *integratorCatalog().find(scene_.method), StepWithout::guessed);
+  const IntegratorInfo& integrator = *integratorCatalog().find(scene_.method);
+  // The monitor proves no more than the run's step needs; from scratch it is what inspect tells. It is of another state
+  // where obstacles have moved on since, which shows where the two brackets do not meet.
+  const DampingRates rates = leastV_.isZero(0) ? DampingRates::atRest : DampingRates::followed;
+  const StepRule rule = ruleAtOwnStep(scene_, body, rates, ownStepTolerance, stepOfTopMode(body, leastX_)).rule;
+  const CriticalStep step = criticalStep(body, leastX_, rule);
+  Json ofStep = stepReasons(body, leastX_, rule, integrator, step);
+  if (const Json& most = why["optimistic"]; !ofStep.is_null() && (most.is_null() || step.safe <= most.get<double>())) {
+    for (const char* key : {"step", "time"}) ofStep[key] = why[key];
+    why = std::move(ofStep);
+  }
+  addRemedies(why, body, leastX_, rule, integrator, StepWithout::guessed);
 }
 
-nlohmann::ordered_json RunRecorder::save() const {
+Json RunRecorder::save() const {
   return {{"x", binaryOf(leastX_)}, {"v", binaryOf(leastV_)}, {"elements", leastElements_}};
 }
 
-void RunRecorder::resume(const nlohmann::ordered_json& saved) {
+void RunRecorder::resume(const Json& saved) {
   leastX_ = vectorsOf(saved.at("x"));
   leastV_ = vectorsOf(saved.at("v"));
   leastElements_ = saved.at("elements").get<std::int64_t>();

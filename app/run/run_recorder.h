@@ -21,9 +21,9 @@ class RunRecorder {
   void recordDiscrete(const MonitorReport& report, const Body& body, NodeVectorsView x);
   /// Why the step is small at the state of a report, where it is the least so far. Keeps that state.
   void recordReasons(const MonitorReport& report, const Body& body, const State& state, const StepRule& rule);
-  /// What would make that step larger, by the state that was kept; where cuts or erosion have changed the body since,
-  /// nothing is known of it.
-  void completeReasons(Body& body, const StepRule& rule);
+  /// The bracket of the state that was kept, from scratch, and what would make its step larger; where cuts or erosion
+  /// have changed the body since, nothing is known of it. The body then counts its damping for that step.
+  void completeReasons(Body& body);
   /// The events alone, where no step is taken.
   void recordEvents(const MonitorReport& report, const Mesh& mesh);
   /// Steps of h (s) that were taken.

@@ -183,6 +183,7 @@ void Simulation::takeEvaluation(bool rowDue) {
     energies.setDissipatedByHandler(handler->dissipated());
   energies.record(state, evaluation_, scheme->system(), rowDue,
                   dampsAtState_ ? std::optional(evaluation_.dampingPower) : std::nullopt);
+  energies.judge(state, steps.step(), result.certified());
 }
 
 void Simulation::setLoads() {
@@ -380,8 +381,8 @@ void Simulation::finish() {
   }
   result.runaway = energies.runaway();
   const Stopwatch measured(result.outputTime);
-  recorder.completeReasons(body, rule);
   output->finish(result, state, whole && finite ? &last : nullptr);
+  recorder.completeReasons(body);
 }
 
 }  // namespace ringwatch

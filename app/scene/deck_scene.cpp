@@ -611,7 +611,10 @@ class DeckReader : DeckWriter {
         ownNodes_.insert(lines_.number(words[0], "the number of a node", line.position));
         return;
       case Reading::solidSection:
+        // Of solids it says nothing: a thickness is of flat elements.
         if (dataLines_ > 1) refuse(line.position, "*SOLID SECTION has a second line; it has one");
+        for (const std::string_view word : words)
+          if (!word.empty()) lines_.real(word, "a number of *SOLID SECTION", line.position);
         return;
       case Reading::link:
         if (words.size() != linkType_->nodes + 1)
@@ -1142,6 +1145,11 @@ class DeckReader : DeckWriter {
           fmt::format("{}: *DYNAMIC, least increment {} s: CalculiX adds mass where an element needs a smaller step; "
                       "none is added here; handler.method = \"mass-scaling\" with handler.step = {} adds it",
                       where, times_[2], times_[2]));
+    if (isExplicit && !viscosityAt_)
+      note(
+          fmt::format("{}: *DYNAMIC, EXPLICIT without *BULK VISCOSITY: there is none here, as in CalculiX; "
+                      "Abaqus/Explicit has 0.06 and 1.2 unasked, which *BULK VISCOSITY says here",
+                      where));
     if (!forRun()) {
       // The step that the deck asks for is one to hold against the bracket.
       if (isExplicit && fixed && times_.size() > 1) integrator = Json{{"step", times_[0]}, {"end", times_[1]}};
@@ -1168,11 +1176,6 @@ class DeckReader : DeckWriter {
                        : held
                            ? "the step that is safe at the start is held; integrator.hold = false follows the safe step"
                            : "the step follows the safe step"));
-    if (isExplicit && !viscosityAt_)
-      note(
-          fmt::format("{}: *DYNAMIC, EXPLICIT without *BULK VISCOSITY: there is none here, as in CalculiX; "
-                      "Abaqus/Explicit has 0.06 and 1.2 unasked",
-                      where));
     for (const auto& [entry, name] : {std::pair<std::size_t, const char*>{0, "first"}, {3, "largest"}})
       if (!fixed && times_.size() > entry && times_[entry] > 0)
         note(
@@ -1211,8 +1214,8 @@ class DeckReader : DeckWriter {
     Table table = tableOf(held.amplitude, held.position);
     if (table.entries.empty() || table.entries["factors"][0] != 0)
       lines_.failAt(amplitudeOf(held.amplitude, held.position).position,
-                    "*AMPLITUDE of a displacement must have two points and more and begin with 0, or the "
-                    "nodes would jump to their place at once");
+                    "*AMPLITUDE of a displacement must have two points or more, the first of value 0, or the nodes "
+                    "would jump to their place at once");
     return table;
   }
 

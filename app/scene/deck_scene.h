@@ -21,6 +21,7 @@ struct DeckScene {
   std::vector<std::string> notes;              // what is left out and what is taken otherwise, with file and line
   /// Why a step above the optimistic side may be stable all the same: something that damps is left out; "" else.
   std::string mayBeStable = {};
+  std::optional<double> ownStep = {};  // s, that the deck's program takes at rest by its own rule, where that is known
 };
 
 /// Whether a file is a deck, by its content or its extension .inp. False for one that cannot be read.

@@ -936,6 +936,7 @@ class DynaReader : DeckWriter {
     const std::string where = stepAt_ ? lines_.where(position) : file_.string();
     const Crossings all = scaleMasses(-scaledStep_, nullptr, "CONTROL_TIMESTEP, DT2MS", position);
     if (!std::isfinite(all.least)) return;
+    scene_.ownStep = stepFactor_ * (all.scaled == 0 ? all.least : -scaledStep_);
     const std::string crossing = fmt::format(
         "{:.6g} x {:.6g} = {:.6g} s, TSSFAC times the least crossing of an element by a wave, of element {}",
         stepFactor_, all.least, stepFactor_ * all.least, all.controlling);

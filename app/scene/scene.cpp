@@ -158,6 +158,7 @@ Scene sceneOfModel(const std::filesystem::path& file, DeckUse use, const std::ve
   scene.ofModel = true;
   scene.notes = std::move(model.notes);
   scene.mayBeStable = std::move(model.mayBeStable);
+  scene.ownStep = model.ownStep;
   return scene;
 }
 

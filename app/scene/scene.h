@@ -225,6 +225,7 @@ struct Scene {
   bool ofModel = false;                       // the file is a deck or a MuJoCo model
   std::vector<std::string> notes;             // what a user may want to know of how the file was read, one line each
   std::string mayBeStable;                    // as DeckScene::mayBeStable
+  std::optional<double> ownStep;              // as DeckScene::ownStep
   nlohmann::ordered_json echo;                // every section and key with defaults filled in
   std::map<std::string, std::string> places;  // "scene.toml:31", of the first of each section and key that is given
   /// "scene.toml:31: [[cut]]" or "scene.toml:9: integrator.device", for messages: the file where it is not given.

@@ -26,6 +26,8 @@ std::string beginOfFile(const std::filesystem::path& path);
 
 /// Throws InputError for the text of a mesh in a format that is known but not read, and names it.
 void refuseForeign(const std::filesystem::path& path, std::string_view text);
+/// The same where states are wanted, by the extension too: none of these formats has states that are read.
+void refuseForeignStates(const std::filesystem::path& path, std::string_view text);
 
 /// The bytes of a regular file where they are: what is not looked at is not read. Throws InputError as readWholeFile
 /// does; a file that another program cuts short meanwhile ends this one.

@@ -35,6 +35,10 @@ constexpr std::string_view asDyna =
     "in "
     "the preprocessor";
 
+constexpr std::string_view byParaView = "ParaView opens it and saves its states as .vtu files, or as a .pvd";
+constexpr std::string_view byAbaqus =
+    "Abaqus' own Python alone opens it; let it write a .vtu or .vtk file for each state";
+
 constexpr ForeignFormat formats[] = {
     {"MeshVersionFormatted", " .mesh .meshb ", "a Medit mesh", "medit", {}},
     {"BEGIN BULK", " .bdf .nas .fem ", "a Nastran deck", "nastran", {}},
@@ -53,9 +57,12 @@ constexpr ForeignFormat formats[] = {
     {"Begin ", " .mdpa ", "a model part of Kratos", {}, writeAnother},
     {{}, " .avs .ucd ", "a mesh of AVS-UCD", {}, writeAnother},
     {{}, " .ugrid ", "a UGRID mesh", {}, writeAnother},
-    {{}, " .tec ", "a Tecplot file", {}, writeAnother},
+    {"VARIABLES", " .tec .plt ", "a Tecplot file", {}, writeAnother},
+    {"#!TDV", {}, "a Tecplot file", {}, writeAnother},
     {{}, " .dato .post ", "a PERMAS file", {}, writeAnother},
     {{}, " .cgns ", "a CGNS file", {}, writeAnother},
+    {{}, " .d3plot ", "a file of results of LS-DYNA (d3plot)", {}, byParaView},
+    {{}, " .odb ", "a file of results of Abaqus (.odb)", {}, byAbaqus},
     {{}, " .h5m ", "a mesh of MOAB", {}, writeAnother},
     {"#RADIOSS", " .rad ", "a Radioss deck", {}, asDyna},
     {"/BEGIN", {}, "a Radioss deck", {}, asDyna},
@@ -179,6 +186,8 @@ const ForeignFormat* foreignByContent(std::string_view text) {
   // Of XML the first tag that is neither a declaration nor a comment tells the format.
   while (begin.starts_with("<?") || begin.starts_with("<!"))
     begin.remove_prefix(std::min(begin.find('<', 1), begin.size()));
+  // Behind its title a Tecplot file names its variables.
+  if (inUpperCase(begin.substr(0, 5)) == "TITLE") begin.remove_prefix(std::min(begin.find('\n') + 1, begin.size()));
   for (const ForeignFormat& format : formats)
     if (!format.begin.empty() && inUpperCase(begin.substr(0, format.begin.size())) == inUpperCase(format.begin))
       return &format;
@@ -186,7 +195,10 @@ const ForeignFormat* foreignByContent(std::string_view text) {
 }
 
 const ForeignFormat* foreignByExtension(const std::filesystem::path& path) {
-  const std::string extension = joinText(" ", inUpperCase(path.extension().string()), " ");
+  // LS-DYNA numbers its files: d3plot, d3plot01.
+  const std::string extension = path.filename().string().starts_with("d3plot")
+                                    ? " .D3PLOT "
+                                    : joinText(" ", inUpperCase(path.extension().string()), " ");
   for (const ForeignFormat& format : formats)
     if (extension.size() > 2 && inUpperCase(format.extensions).find(extension) != std::string::npos) return &format;
   return nullptr;
@@ -194,6 +206,9 @@ const ForeignFormat* foreignByExtension(const std::filesystem::path& path) {
 
 Mesh readForeign(const ForeignFormat& format, const std::filesystem::path& path, Notes* notes, Problems* problems) {
   if (format.kind.empty()) refuse(path, format);
+  // CGNS and MOAB write HDF5, too.
+  if (const ForeignFormat* named = foreignByExtension(path); format.kind == "hdf5" && named && named->kind.empty())
+    refuse(path, *named);
   const std::string source = path.string(), is = joinText(source, ": this is ", format.name);
   if (!std::filesystem::is_regular_file(path)) throw InputError(is + ", which is read from a file, not from a pipe");
   if (format.kind == byGmsh) return readByGmsh(is, path, notes, problems);
@@ -230,6 +245,15 @@ void refuseForeign(const std::filesystem::path& path, std::string_view text) {
   if (format == nullptr) return;
   if (format->kind.empty()) refuse(path, *format);
   throw InputError(joinText(path.string(), ":1: this is ", format->name, ", which is read as a mesh, not here"));
+}
+
+void refuseForeignStates(const std::filesystem::path& path, std::string_view text) {
+  const ForeignFormat* format = foreignByContent(text);
+  if (format == nullptr) format = foreignByExtension(path);
+  if (format == nullptr) return;
+  if (format->kind.empty()) refuse(path, *format);
+  throw InputError(joinText(path.string(), ":1: this is ", format->name, ", of which the mesh alone is read; ",
+                            "give its states as .vtu or .vtk files or as a .pvd, as ParaView saves them"));
 }
 
 }  // namespace ringwatch::detail

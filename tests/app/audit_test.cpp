@@ -186,6 +186,7 @@ TEST_F(Audits, ConcludeHowLargeTheStepsWere) {
   ASSERT_NE(first, second);
   for (const double h : {0.05 * std::min(first, second), 0.99 * std::max(first, second)}) {
     const bool proven = h < std::min(first, second);
+    const Json& worst = rest["history"][first < second ? 0 : 1];
     const Outcome outcome =
         call("audit a0.vtk a1.vtk --json j.json --junit j.xml --step " + test::digits(h) + test::material);
     const Json steps = json("j.json")["steps"];
@@ -196,6 +197,18 @@ TEST_F(Audits, ConcludeHowLargeTheStepsWere) {
     const std::string cases = folder_.read("j.xml");
     EXPECT_THAT(cases, HasSubstr(proven ? "tests=\"2\" failures=\"0\"" : "tests=\"2\" failures=\"1\""));
     EXPECT_EQ(cases.find("<failure") == std::string::npos, proven);
+    // What is wrong stands first, the same on the command line, in the JSON and in JUnit's file.
+    const std::string conclusion = json("j.json")["conclusion"],
+                      wrong = fmt::format(
+                          "the step is proven unstable in 1 of 2 states, at worst {:.3g} times the "
+                          "largest that may be stable, in state {}",
+                          h / worst["optimistic"].get<double>(), first < second ? 1 : 2);
+    EXPECT_EQ(conclusion.starts_with(wrong), !proven) << conclusion;
+    EXPECT_THAT(outcome.out, HasSubstr("conclusion: " + conclusion + "\n"));
+    EXPECT_THAT(cases, HasSubstr("<system-out>" + conclusion + "</system-out>"));
+    if (!proven) {
+      EXPECT_THAT(cases, HasSubstr(fmt::format("s, {:.3g} times the proven one, ", h / std::min(first, second))));
+    }
   }
 }
 
@@ -388,6 +401,20 @@ TEST_F(Audits, RefuseBadInput) {
   expectRefused("audit a0.vtk --integrator implicit-euler" + material, "is no integrator with a critical step");
   folder_.write("other.vtk", folder_.read("a0.vtk").replace(folder_.read("a0.vtk").find("4 0 1 2 3"), 9, "4 0 2 1 3"));
   expectRefused("audit a0.vtk other.vtk" + material, "every state must have the same");
+  // Results in formats whose states are not read: what they are, and what to do.
+  for (const auto& [file, text, what] :
+       {std::array{"d3plot", "x",
+                   "this is a file of results of LS-DYNA (d3plot), which is not read; ParaView opens it"},
+        std::array{"d3plot07", "x", "results of LS-DYNA (d3plot)"},
+        std::array{"job.odb", "x", "this is a file of results of Abaqus (.odb), which is not read; Abaqus' own Python"},
+        std::array{"u.xdmf", "<?xml version=\"1.0\"?>\n<Xdmf/>\n",
+                   "this is an XDMF file, of which the mesh alone is "
+                   "read; give its states as .vtu or .vtk files"},
+        std::array{"u.e", "CDF\x01", "this is a netCDF file, as of Exodus, of which the mesh alone is read"}}) {
+    folder_.write(file, text);
+    expectRefused(std::string("audit ") + file + material, what);
+    expectRefused(std::string("inspect ") + file + " --displacement U" + material, what);
+  }
   writeFrd({});
   expectRefused("audit bar.frd" + material, "bar.frd: has no DISP");
   std::string cut = folder_.read("bar.frd");

@@ -141,7 +141,7 @@ TEST_F(CertifiedRun, IsNotCalledStableWhenItsEnergyWasOff) {
   folder_.write("tiny.toml", tiny);
   ASSERT_EQ(call("run tiny.toml --out good").status, 0);
   // The same motion, with a finer measure: the event is the scene's own.
-  const Outcome outcome = call("run tiny.toml --out off --set monitor.energy_tolerance=1e-4 --set integrator.end=0.2");
+  const Outcome outcome = call("run tiny.toml --out off --set monitor.energy_tolerance=1e-7 --set integrator.end=0.2");
   const Json summary = json("off/summary.json");
   int events = 0;
   for (const Json& event : summary["events"]) events += event["kind"] == "energy-balance";

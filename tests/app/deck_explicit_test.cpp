@@ -3,6 +3,8 @@
 #include <cmath>
 #include <string>
 
+#include <fmt/format.h>
+
 #include <ringwatch/app/scene/time_table.h>
 
 #include "deck_program.h"
@@ -511,6 +513,8 @@ TEST_F(ExplicitDecks, JudgeAFixedStep) {
   EXPECT_THAT(out_, HasSubstr("*DYNAMIC, first increment 1e-06 s: it does not bound the step"));
   refuse(part("C3D8", "*Solid Section, elset=All, material=Steel\n,\n0.5\n") + steel() + step(loads),
          "*SOLID SECTION has a second line; it has one");
+  refuse(part("C3D8", "*Solid Section, elset=All, material=Steel\nthick\n") + steel() + step(loads),
+         "a number of *SOLID SECTION");
   // Of the safe step of the first state, kept to the end.
   expectSame(part("C3D8") + steel() + step(loads, "*Dynamic, Explicit, fixed time incrementation\n, 1e-4\n"), scene,
              "step = \"auto\"\nhold = true\nend = 1e-4\n");
@@ -518,6 +522,28 @@ TEST_F(ExplicitDecks, JudgeAFixedStep) {
   EXPECT_EQ(held["smallest_step"], held["largest_step"]);
   const double safe = table("d/history.csv").number(0, "safe_s");
   EXPECT_NEAR(held["largest_step"].get<double>(), 0.95 * safe, 1e-12 * safe);
+}
+
+// What central differences keep is not the energy at whole steps: one node that is thrown has most of its energy in the
+// highest modes. No certified run is called unstable for it, and one above the critical step is.
+TEST_F(ExplicitDecks, KeepTheEnergyOfCentralDifferences) {
+  for (const std::string set : {"Bar-1.7", "Bar-1.Tip"}) {
+    folder_.write("thrown.inp", part("C3D8") + steel() + "*Initial Conditions, type=VELOCITY\n" + set + ", 1, 0.01\n" +
+                                    step("", "*Dynamic, Explicit\n, 4e-3\n"));
+    for (const char* more : {"", " --set integrator.safety=0.99", " --set integrator.method=verlet"}) {
+      const Outcome outcome =
+          call("run thrown.inp --out d --set output.picture=false --set output.history_every=1" + std::string(more));
+      EXPECT_EQ(outcome.status, 0) << set << more << outcome.out;
+      EXPECT_EQ(json("d/summary.json")["verdict"], "certified") << set << more;
+    }
+    const double critical = json("d/summary.json")["why"]["optimistic"];
+    const Outcome lost =
+        call(fmt::format("run thrown.inp --out d --set output.picture=false --set integrator.step={:.6g} --set "
+                         "monitor.on_violation=warn --set monitor.bracket=false",
+                         1.02 * critical));
+    EXPECT_EQ(lost.status, 1) << lost.out << lost.err;
+    EXPECT_EQ(json("d/summary.json")["verdict"], "unstable");
+  }
 }
 
 // A rigid body goes by its reference node, which is of no element and has a number that a node of the part has, too.

@@ -97,6 +97,13 @@ TEST_F(Decks, SayThatAbaqusHasLargeDisplacementsUnasked) {
     run(std::string(soft) + step("", joinText("*STEP", parameter, "\n*DYNAMIC, EXPLICIT, DIRECT\n1e-3, 0.05\n")));
     EXPECT_EQ(out_.find("Abaqus/Explicit has large displacements unasked") != std::string::npos, told) << parameter;
   }
+  // Bulk viscosity, which changes the step of inspect, too.
+  for (const auto& [line, told] : {std::pair{"", true}, {"*BULK VISCOSITY\n", false}})
+    for (const std::string command : {"inspect deck.inp", "run deck.inp --out r --set output.picture=false"}) {
+      write(std::string(soft) + step(line));
+      EXPECT_EQ(call(command).out.find("Abaqus/Explicit has 0.06 and 1.2 unasked") != std::string::npos, told)
+          << command;
+    }
 }
 
 // Set by set, twice on each element: as once on all with the sum. A cube apart falls by its own load alone.

@@ -479,6 +479,20 @@ TEST_F(DynaDecks, TellTheStepAndTheMassOfLsDyna) {
   EXPECT_THAT(call("inspect deck.k").out,
               HasSubstr(fmt::format("LS-DYNA's own step at rest is 0.67 x {:.6g} = {:.6g} s", step, 0.67 * step)));
   EXPECT_NEAR(plain["mass"].get<double>(), 15.7, 1e-12);
+  // A verdict on it, by the bracket.
+  for (const double factor : {0.67, 1.0})
+    for (const std::string command : {"inspect", "suggest"}) {
+      folder_.write("deck.k", block(keyword("CONTROL_TIMESTEP", card(0, factor))));
+      const Outcome outcome = call(command + " deck.k --json own.json");
+      ASSERT_EQ(outcome.status, 0) << outcome.err;
+      const Json own = json("own.json")["timestep"];
+      const bool proven = factor * step < plain["critical_step"]["safe"].get<double>();
+      EXPECT_EQ(proven, factor < 1);
+      EXPECT_NEAR(own["asked"].get<double>() / (factor * step), 1, 1e-6);
+      EXPECT_EQ(own["verdict"], proven ? "certified" : "violated");
+      EXPECT_THAT(outcome.out, HasSubstr(fmt::format("its own program's step at rest {:.6g} s is proven {}",
+                                                     factor * step, proven ? "stable; " : "unstable, as is every ")));
+    }
   folder_.write("deck.k", block(keyword("CONTROL_TIMESTEP", card(0, 0.67, 0, 0, -3e-5))));
   const double factor = std::pow(3e-5 / step, 2);
   std::string out;

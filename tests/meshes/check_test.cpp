@@ -221,7 +221,21 @@ TEST(Check, NotesTellOfPartsAndOfNodesAtTheSamePlace) {
   ASSERT_EQ(notes.size(), 2u);
   EXPECT_THAT(notes[0], HasSubstr("two.msh: the mesh falls into 2 parts that share no node, of 2, 2 elements"));
   EXPECT_THAT(notes[1], HasSubstr("two.msh: 4 nodes lie where another node lies, e.g. nodes "));
-  // The same far from the origin and in other units: what counts is the distance against the size of the mesh.
+  // What counts is the distance against the shortest edge, 0.5 m, and not the size of the mesh.
+  for (const auto& [gap, same] : {std::pair{4e-4, true}, {6e-4, false}})
+    for (const double far : {10.0, 1e4}) {
+      Mesh apart = two;
+      apart.X.rightCols(nodes).row(0).array() += gap;
+      const Eigen::Index own = apart.nodeCount();  // a third bar, far away
+      apart.X.conservativeResize(3, own + nodes);
+      apart.X.rightCols(nodes) = one.X.colwise() + Eigen::Vector3d(0, far, 0);
+      for (std::int32_t n = 0; n < nodes; ++n) apart.nodeIds.push_back(200 + n);
+      for (const std::int32_t n : one.blocks[0].connectivity)
+        apart.blocks[0].connectivity.push_back(n + static_cast<std::int32_t>(own));
+      apart.blocks[0].ids.insert(apart.blocks[0].ids.end(), {4, 5});
+      EXPECT_EQ(meshNotes(apart, "m").size(), same ? 2u : 1u) << gap << " " << far;
+    }
+  // The same far from the origin and in other units.
   two.X = (1e-6 * two.X).colwise() + Eigen::Vector3d(0, 0.5, 0);
   EXPECT_EQ(meshNotes(two, "m").size(), 2u);
   two.X.rightCols(nodes).row(0).array() += 1e-8;  // a gap that is meant

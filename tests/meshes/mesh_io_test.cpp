@@ -454,6 +454,8 @@ TEST(MeshIo, FormatsThatAreNotReadAreNamed) {
       {"\x89HDF\r\n\x1a\n", "an HDF5 file"},
       {"version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 1\n", "a pointer of Git LFS"},
       {"PK\x03\x04", "a packed file"},
+      {"TITLE = \"a mesh\"\nVARIABLES = \"X\"\n", "a Tecplot file"},
+      {"#!TDV112", "a Tecplot file"},
   };
   for (const auto& [text, name] : files)
     for (const char* file : {"m.msh", "m.vtu", "m.inp", "m.vtk", "m.frd", "m.k"}) {
@@ -461,6 +463,11 @@ TEST(MeshIo, FormatsThatAreNotReadAreNamed) {
       const std::string refused = errorOf([&] { readMesh(folder / file); });
       EXPECT_NE(refused.find(std::string("this is ") + name), std::string::npos) << refused;
     }
+  // What HDF5 holds is told by the name.
+  for (const auto& [file, name] : {std::pair{"m.cgns", "a CGNS file"}, {"m.h5m", "a mesh of MOAB"}}) {
+    writeBytes(folder / file, "\x89HDF\r\n\x1a\n");
+    EXPECT_NE(errorOf([&] { readMesh(folder / file); }).find(std::string("this is ") + name), std::string::npos);
+  }
   writeBytes(folder / "flat.vtk",
              "# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 3 float\n0 0 0\n1 0 0\n0 1 "
              "0\nCELLS 1 4\n3 0 1 2\nCELL_TYPES 1\n5\n");

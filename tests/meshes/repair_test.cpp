@@ -38,22 +38,23 @@ TEST(Repair, NodesAtOnePlaceAreJoinedOnlyWhereThatIsAskedFor) {
   const Mesh one = generateBar({.size = {1, 1, 1}, .cells = {2, 1, 1}, .element = "hex8"});
   Mesh two = one;
   const auto nodes = static_cast<std::int32_t>(one.nodeCount());
+  constexpr double gap = 1e-3;  // m, of edges of 0.5 m and 1 m
   two.X.conservativeResize(3, 2 * nodes);
-  two.X.rightCols(nodes) = one.X.colwise() + Eigen::Vector3d(1 + 1e-5, 0, 0);
+  two.X.rightCols(nodes) = one.X.colwise() + Eigen::Vector3d(1 + gap, 0, 0);
   for (const std::int32_t n : one.blocks[0].connectivity) two.blocks[0].connectivity.push_back(n + nodes);
   two.nodeIds.resize(2 * static_cast<std::size_t>(nodes));
   for (std::int32_t n = 0; n < nodes; ++n) two.nodeIds[nodes + n] = 100 + n;
   two.blocks[0].ids = {0, 1, 2, 3};
   two.nodeSets = {{"face", {nodes}}};
   const std::int32_t corner = nodes;  // of the second bar, at x = 1
-  ASSERT_EQ(two.X(0, corner), 1 + 1e-5);
+  ASSERT_EQ(two.X(0, corner), 1 + gap);
   EXPECT_EQ(repairMesh(two, "m").mesh.nodeCount(), 2 * one.nodeCount());
-  EXPECT_TRUE(repairMesh(two, "m", 0).done.empty());  // a gap of 1e-5
-  const RepairedMesh joined = repairMesh(two, "m", 2e-5);
+  EXPECT_TRUE(repairMesh(two, "m", 0).done.empty());  // twice a thousandth of the shortest edge
+  const RepairedMesh joined = repairMesh(two, "m", 2 * gap);
   EXPECT_THAT(joined.done, ElementsAre(HasSubstr("m: 4 nodes were joined with another at the same place")));
   EXPECT_TRUE(joined.problems.empty());
   EXPECT_EQ(joined.mesh.nodeCount(), 2 * one.nodeCount() - 4);
-  EXPECT_NEAR(boundaryArea(joined.mesh), 10, 1e-4);  // a bar of 2 m whose halves have no faces between them
+  EXPECT_NEAR(boundaryArea(joined.mesh), 10, 10 * gap);  // a bar of 2 m whose halves have no faces between them
   ASSERT_EQ(joined.mesh.nodeSets.at("face").size(), 1u);
   EXPECT_EQ(joined.mesh.X(0, joined.mesh.nodeSets.at("face")[0]), 1);  // the node that is left
   EXPECT_TRUE(meshNotes(joined.mesh, "m").empty());

@@ -56,7 +56,7 @@ def test_a_test_passes_or_fails_by_the_audit(results: pathlib.Path) -> None:
     assert ended.returncode == 1, ended.stdout + ended.stderr
     assert "PASSED test_solver.py::test_good" in ended.stdout
     assert "FAILED test_solver.py::test_bad" in ended.stdout and "FAILED test_solver.py::test_unknown" in ended.stdout
-    assert "out/run.pvd: the step came to 2 times the proven one, in state 1" in ended.stdout
+    assert "the step came to 2 times the proven one, in state 1" in ended.stdout
     assert "the results do not tell which step was taken" in ended.stdout
     assert "2 failed, 1 passed" in ended.stdout
 
