@@ -147,13 +147,14 @@ class Browser:
                 and not e["params"]["request"]["url"].startswith(("data:", "blob:"))][1:]
 
     def screenshot(self, file, selector=None):
+        """A picture of what the window shows, or of all of what the selector finds."""
         clip = {}
         if selector:
             box = self.evaluate(f"(() => {{ const b = document.querySelector({json.dumps(selector)})"
                                 ".getBoundingClientRect(); return {x: b.x + scrollX, y: b.y + scrollY, width: b.width, "
                                 "height: b.height, scale: 1}; })()")
-            clip = {"clip": box}
-        image = self.call("Page.captureScreenshot", format="png", captureBeyondViewport=True, **clip)
+            clip = {"clip": box, "captureBeyondViewport": True}
+        image = self.call("Page.captureScreenshot", format="png", **clip)
         pathlib.Path(file).write_bytes(base64.b64decode(image["data"]))
 
     def media(self, name, dark=False):

@@ -66,7 +66,8 @@ def said(page):
 
 
 def give(page, file):
-    """Hands a file to the page's field, and waits for what the page says of it."""
+    """Hands a file to the page's field, as a user does by a click, and waits for what the page says of it."""
+    page.evaluate("document.getElementById('file').dispatchEvent(new Event('click'))")
     page.call("DOM.enable")
     root = page.call("DOM.getDocument")["root"]["nodeId"]
     field = page.call("DOM.querySelector", nodeId=root, selector="#file")["nodeId"]
@@ -122,6 +123,15 @@ def check_units(page, program, folder):
     true(re.search(r"\d ms\b", text) and not re.search(r"\d (s|m|Pa)\b|\((s|m|Pa)\)", text), "labels of the SI in the page")
 
 
+def check_chosen_again(page, program, file):
+    """A file that has changed is refused until it is chosen again, which is no change of its name."""
+    give(page, file)
+    file.write_text(file.read_text() + "\n\n")
+    page.evaluate("document.querySelector('form').requestSubmit()")
+    page.wait_for("document.querySelector('.bad')?.textContent.includes('choose it again')")
+    check_numbers(page, program, file, *STEEL)
+
+
 def check_refusals(page, program, folder):
     broken = folder / "broken.msh"
     broken.write_text((folder / "part.msh").read_text()[:5000])
@@ -161,6 +171,7 @@ def main():
         check_numbers(page, program, folder / "part.vtu", *STEEL)
         check_numbers(page, program, folder / "part.k")
         check_numbers(page, program, folder / "bar.inp")
+        check_chosen_again(page, program, folder / "part.msh")
         page.evaluate("document.getElementById('step').value = '1e-5'; document.getElementById('fix').value = 'x < 1e-6'")
         check_numbers(page, program, folder / "part.msh", *STEEL, "--step", "1e-5", "--fix", "x < 1e-6")
         check_units(page, program, folder)

@@ -90,7 +90,7 @@ WORDS = {
 GUIDE_LINES, LONGEST_GUIDE = {"monitor.md": 90, "performance.md": 50, "cluster.md": 100, "gallery.md": 170}, 150
 # How wide its lines may be, so that a change of a sentence can be read, and its rows of tables, so that a cell stays one thought.
 WIDEST_PROSE, WIDEST_ROW = 170, 220
-TERMS_OF_THE_GLOSSARY = 45
+TERMS_OF_THE_GLOSSARY, RELEASE_BULLETS = 45, 30
 # What dates a page. Figures stand with their day and machine in bench/results, changes in CHANGELOG.md.
 DATED = {
     "a day": r"\b(January|February|March|April|May|June|July|August|September|October|November|December) 20\d\d|\b20\d\d-\d\d",
@@ -406,8 +406,12 @@ class Documents:
         cited = dict(re.findall(r"^([\w-]+): ([\w.-]+)$", (self.source / "CITATION.cff").read_text(encoding="utf-8"), re.M))
         if cited.get("version") != version:
             self.fault(self.source / "CITATION.cff", 1, f"the version is not {version}")
-        if f"\n## {version} ({cited.get('date-released')})\n" not in "\n".join(self.lines(self.source / "CHANGELOG.md")):
-            self.fault(self.source / "CHANGELOG.md", 1, f"has no section {version} of the day in CITATION.cff")
+        changes = "\n".join(self.lines(self.source / "CHANGELOG.md"))
+        released = changes.partition(f"\n## {version} ({cited.get('date-released')})\n")[2].partition("\n## ")[0]
+        if not 0 < released.count("\n- ") <= RELEASE_BULLETS:
+            self.fault(self.source / "CHANGELOG.md", 1, f"has no section {version} of the day in CITATION.cff, or one of more than {RELEASE_BULLETS} bullets")
+        if f'version: "{version}"' not in (self.source / "packaging/conda/meta.yaml").read_text(encoding="utf-8"):
+            self.fault(self.source / "packaging/conda/meta.yaml", 1, f"the version is not {version}")
         if f"Version {version.rpartition('.')[0]}:" not in "\n".join(self.lines(readme)):
             self.fault(readme, 1, f"does not say that this is version {version.rpartition('.')[0]}")
 
