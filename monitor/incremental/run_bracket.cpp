@@ -197,15 +197,19 @@ void RunBracket::startFromRest(NodeVectorsView x) {
 }
 
 bool RunBracket::followsFromRest(NodeVectorsView x, StepEvaluation*& evaluation, UpperBound& upper) {
-  const double enough = above(local_.last(), width_), means = account_.means();
+  const double enough = above(local_.last(), width_), ofProof = uncertified_ ? account_.meansForProof() : 0,
+               means = account_.means() + ofProof;
   upper = rest_->update(x, evaluation, enough, static_cast<std::int64_t>(means / WorkAccount::ofReferences(body_, 1)));
   evaluation = nullptr;
   Work work;
   work[WorkOn::tests] = WorkAccount::ofMotions(body_);
   work[WorkOn::evaluations] = WorkAccount::ofReferences(body_, rest_->statistics().elements) +
                               WorkAccount::ofBoundedNodes(body_, rest_->statistics().nodes);
-  account_.spend(work);
   spent_ += work;
+  const double onProof = std::min(work[WorkOn::evaluations], ofProof);
+  account_.spendOnProof(onProof);
+  work[WorkOn::evaluations] -= onProof;
+  account_.spend(work);
   restFailed_ = upper.value == infinity;
   return !restFailed_;
 }

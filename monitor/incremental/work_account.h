@@ -229,9 +229,9 @@ class WorkAccount {
   void spendOnSearches(double work) { take(searches_, work); }
   bool affordsForSearches(double work) const { return has(searches_, work); }
   bool affords(double work) const { return has(balance_, work); }
-  /// What there is for the proven side.
+  /// What there is for the proven side, and beside it for nothing but the proof of the step that is taken.
   double means() const { return income_ > 0 ? std::max(balance_, 0.0) : 0; }
-  bool hasLimit() const { return share_ < noLimit; }
+  double meansForProof() const { return income_ > 0 ? std::max(proof_, 0.0) : 0; }
   bool affordsForProof(double work) const { return has(proof_, work); }
   bool affordsForMode(double work) const { return has(mode_, work); }
   bool affordsForVerdict(double work) const { return has(verdict_, work); }
