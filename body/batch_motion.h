@@ -12,8 +12,9 @@ namespace ringwatch {
 /// deformation gradients: how far those of the elements, at all quadrature points, lie from G times the reference ones,
 /// with one G a group. In single precision, whose rounding is motionRounding times |F| + |G F'| at most.
 struct BatchMotion {
-  /// What the pass does with a group: it takes G for the identity, or has Σ F as well.
-  enum Flags : std::uint8_t { still = 1, summed = 2 };
+  /// What the pass does with a group: it takes G for the identity, has Σ F as well, or takes F' for the identity, and
+  /// reads none.
+  enum Flags : std::uint8_t { still = 1, summed = 2, rest = 4 };
 
   const float* motion;               ///< G of each group over the reference's unit, row by row: [group][9]
   const std::uint8_t* flags;         ///< [group]
@@ -38,6 +39,9 @@ struct BatchMotion {
       reference_ = motion.reference + 9 * nativeWidth * (static_cast<std::ptrdiff_t>(batch) * motion.points);
       measured_ = motion.measured + sizeOfGroup * group;
       still_ = (motion.flags[group] & still) != 0;
+      rest_ = (motion.flags[group] & rest) != 0;
+      if (rest_)
+        for (int i = 0; i < 9; ++i) fromRest_[i] = still_ ? (i % 4 == 0 ? 1.0F : 0.0F) : motion_[i] / unit_;
       sums_ = (motion.flags[group] & summed) != 0;
       farthest2_ = all_ = Floats{};
     }
@@ -47,7 +51,9 @@ struct BatchMotion {
       if (sums_)
         for (int i = 0; i < 9; ++i) store(load(measured_ + (i + 1) * nativeWidth) + here[i], (i + 1) * nativeWidth);
       sums_ = false;
-      if (still_) {
+      if (rest_) {
+        for (int i = 0; i < 9; ++i) here[i] -= fromRest_[i];
+      } else if (still_) {
         for (int i = 0; i < 9; ++i) here[i] -= unit_ * reference(i);
       } else {
         for (int column = 0; column < 3; ++column) {
@@ -90,7 +96,8 @@ struct BatchMotion {
     const std::int16_t* reference_;
     float unit_;
     float* measured_;
-    bool still_, sums_;
+    bool still_, rest_, sums_;
+    float fromRest_[9];
     Floats farthest2_, all_;
   };
 };

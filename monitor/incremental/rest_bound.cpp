@@ -384,6 +384,7 @@ void RestBound::refer(NodeVectorsView x, std::int32_t g) {
   Symmetric3<P> D[maxElementNodes];
   Matrix3<double> ofFirst = Matrix3<double>::zero();
   group.rounding = group.uneven = group.size = group.count = 0;
+  group.rests = 1;
   group.stress = -infinity;
   group.leastStretch = infinity;
   group.drift = {0, 0, 0, 0, infinity};
@@ -407,9 +408,11 @@ void RestBound::refer(NodeVectorsView x, std::int32_t g) {
       delta = math::max(delta, innerProduct(off, off));
     }
     delta = math::sqrt(delta) + P(relativeRounding) * math::sqrt(size2);
-    const P stored = ValidityBalls::storeGradients(
-        gradients.data(), rest.gradients,
-        reference_[group.block].data() + 9 * lanes * (static_cast<std::ptrdiff_t>(batch) * rest.gradients));
+    std::int16_t* const reference =
+        reference_[group.block].data() + 9 * lanes * (static_cast<std::ptrdiff_t>(batch) * rest.gradients);
+    const P stored = ValidityBalls::storeGradients(gradients.data(), rest.gradients, reference);
+    for (int i = 0; i < 9 * rest.gradients * lanes && group.rests != 0; ++i)
+      group.rests = reference[i] * ValidityBalls::entryUnit == (i / lanes % 9 % 4 == 0 ? 1.0 : 0.0) ? 1 : 0;
     bool compressed = false;
     const double slight = policy_.slightCompression * (rest.lambda + rest.twoMu);
     TangentDriftCoefficients<P> law{P(rest.lambda + rest.twoMu), P(0.0), P(0.0), P(0.0), P(infinity)};
@@ -517,7 +520,7 @@ void RestBound::setNext(std::int32_t g, Matrix3<double> motion, bool summed) {
   if (still) motion = one;
   for (int i = 0; i < 9; ++i) next_[9 * g + i] = static_cast<float>(ValidityBalls::entryUnit * motion.m[i]);
   flags_[g] = static_cast<std::uint8_t>((still ? BatchMotion::still : BatchMotion::summed) |
-                                        (summed ? BatchMotion::summed : 0));
+                                        (summed ? BatchMotion::summed : 0) | (group.rests ? BatchMotion::rest : 0));
 }
 
 void RestBound::see(NodeVectorsView x, const Group& group, bool all) {

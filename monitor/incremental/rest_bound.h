@@ -19,13 +19,13 @@ namespace ringwatch {
 struct RestBoundPolicy {
   /// Deformation gradients of a group that shares one motion, which take a few times the work that the group itself
   /// does, and groups of a region whose nodes are bounded together.
-  int gradientsOfGroup = 256, groupsOfRegion = 1;
+  int gradientsOfGroup = 512, groupsOfRegion = 1;
   /// States from one measure of a group's compression to the next. Its elements are seen again once that has grown by
   /// this factor and this share of λ+2μ.
   int turns = 16;
   /// A group is measured as if it stood still while its mean motion differs from that by less.
   double still = 0.003;
-  double compressionGrowth = 1.5, slightCompression = 1e-3;
+  double compressionGrowth = 2, slightCompression = 1e-3;
   /// Two regions whose bounds differ by less, relative to the eigenvalue, are the same.
   double same = 0.005;
   /// Of the groups around a region those start again whose elements differ by more than this share of the most, once
@@ -88,6 +88,7 @@ class RestBound {
   struct Group {
     std::int32_t block, patch, begin, end;  // batches
     std::uint8_t follows;                   // 1: G is diagonal, as components of some nodes are held
+    std::uint8_t rests;                     // whether the reference gradients are the identity
     // At the reference, of all elements: what F errs by, |F - T| and |F| at most, the least principal stretch at least,
     // the highest principal stress, and how fast the tangents grow; the mean of F and of the distances from it at most.
     double rounding, uneven, size, leastStretch, stress, mean[9], apart;
@@ -99,7 +100,7 @@ class RestBound {
     std::int64_t referenceAt;  // the state
     template <class Archive>
     void archive(Archive& a) {
-      a(block, patch, begin, end, follows, rounding, uneven, size, leastStretch, stress, mean, apart, drift.kappa, drift.linear,
+      a(block, patch, begin, end, follows, rests, rounding, uneven, size, leastStretch, stress, mean, apart, drift.kappa, drift.linear,
         drift.quadratic, drift.negative, drift.radius, spread, seenNegative, count, inverse, summedAt, referenceAt);
     }
   };

@@ -81,7 +81,7 @@ const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const S
   const double ceiling = h ? limit.lambdaFor(*h) : infinity;
   adaptSlack();
   UpperBound nodal{infinity}, upper{infinity};
-  const bool turns = rest_ && rest_->started() && !restFailed_ && !exchange_.serves() && followsFromRest(x, evaluation, upper),
+  const bool turns = restRuns_ && rest_->started() && !exchange_.serves() && followsFromRest(x, evaluation, upper),
              moves = turns || (!h && follows(x, evaluation, upper));
   // Where means are short the weights rest while shares prove more than they did, and the step.
   bool rests = moves || (account_.limited() && exchange_.serves() && !uncertified_);
@@ -177,23 +177,43 @@ const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const S
 
 void RunBracket::startFromRest(NodeVectorsView x) {
   const bool starts = !rest_ || !rest_->started();
-  if (starts ? restFailed_ || !RestBound::serves(body_) : !restEndedEarly_ || !account_.affords(WorkAccount::ofRebuild(body_))) return;
-  // Those of the first observation are of some other state perhaps, which bears on the width alone.
-  NodalBound weights = observed() ? nodal_.weightsAtRest() : nodal_.weights();
-  restEndedEarly_ = !observed() && nodal_.endedEarly();
-  if (observed()) {
-    Work work;
-    work[WorkOn::sweeps] = WorkAccount::ofRebuild(body_);
-    account_.spend(work);
-    spent_ += work;
+  if (starts && !restFailed_ && RestBound::serves(body_)) {
+    // Weights of the first observation are of some other state perhaps, which bears on the width alone.
+    NodalBound weights = observed() ? nodal_.weightsAtRest() : nodal_.weights();
+    restEndedEarly_ = !observed() && nodal_.endedEarly();
+    restRuns_ = false;
+    leastCertified_ = nodal_.certifiedEigenvalue();
+    rest_.emplace(body_);
+    if (!observed() && x == body_.mesh().X) {
+      rest_->start(std::move(weights), [this](ElementRef e) { return nodal_.value(e); });
+      return;
+    }
+    statistics_.evaluated += observed() ? weights.evaluations() : body_.mesh().elementCount();
+    if (observed()) spendOnSweeps(WorkAccount::ofRebuild(body_));
+    rest_->start(std::move(weights));
+  } else if (!starts && !restRuns_) {
+    leastCertified_ = std::min(leastCertified_, nodal_.certifiedEigenvalue());
+    if (exchange_.serves() || !(nodal_.certifiedEigenvalue() > policy_.risen * leastCertified_)) return;
+    // From the next observation on: this one shows it how the body has moved up to here.
+    rest_->update(x, nullptr, infinity, 0);
+    spendOnSweeps(account_.force());
+    restRuns_ = true;
+  } else if (restRuns_ && restEndedEarly_ && account_.affords(WorkAccount::ofRebuild(body_))) {
+    restEndedEarly_ = false;
+    NodalBound weights = nodal_.weightsAtRest();
+    statistics_.evaluated += weights.evaluations();
+    spendOnSweeps(WorkAccount::ofRebuild(body_));
+    rest_.emplace(body_);
+    rest_->start(std::move(weights));
+    rest_->update(x, nullptr, infinity, 0);
   }
-  rest_.emplace(body_);
-  if (!observed() && x == body_.mesh().X) {
-    rest_->start(std::move(weights), [this](ElementRef e) { return nodal_.value(e); });
-    return;
-  }
-  statistics_.evaluated += observed() ? weights.evaluations() : body_.mesh().elementCount();
-  rest_->start(std::move(weights));
+}
+
+void RunBracket::spendOnSweeps(double work) {
+  Work sweeps;
+  sweeps[WorkOn::sweeps] = work;
+  account_.spend(sweeps);
+  spent_ += sweeps;
 }
 
 bool RunBracket::followsFromRest(NodeVectorsView x, StepEvaluation*& evaluation, UpperBound& upper) {
@@ -211,6 +231,7 @@ bool RunBracket::followsFromRest(NodeVectorsView x, StepEvaluation*& evaluation,
   work[WorkOn::evaluations] -= onProof;
   account_.spend(work);
   restFailed_ = upper.value == infinity;
+  if (restFailed_) restRuns_ = false;
   return !restFailed_;
 }
 

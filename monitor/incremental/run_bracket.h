@@ -79,6 +79,9 @@ struct BracketPolicy {
   /// the cheapest way again; refreshes for a step that is not certified between two restarts from all reduced rings.
   int firstGap = 10;
 
+  /// Certified eigenvalue over the least one from which the bound at rest runs: 5 % of the step.
+  double risen = 1.1;
+
   /// The bound of the first weights over the eigenvalue that a given step allows from which they leave too little room,
   /// so that shares are made at once: 5 % of the step.
   double hardlyProven = 0.9;
@@ -143,7 +146,7 @@ class RunBracket {
       searchesNext_, wholeMode_, restart_, search_, examination_, lowest_, nextCompressed_, least_, searchedAt_, step_,
       best_, bestAt_, gain_, ofMoved_, observations_);
     bool turns = rest_.has_value();
-    a(turns, restEndedEarly_, restFailed_);
+    a(turns, restRuns_, restEndedEarly_, restFailed_, leastCertified_);
     if (!turns) rest_.reset();
     if (turns && !rest_) rest_.emplace(body_);
     if (turns) a(*rest_);
@@ -162,9 +165,11 @@ class RunBracket {
   /// proves. It is started once a wide bracket has cost as much as that takes, in steps that were shorter than they
   /// could be, and given up when it takes more than it saves. `evaluation` is filled in, and becomes nullptr.
   bool follows(NodeVectorsView x, StepEvaluation*& evaluation, UpperBound& upper);
-  /// Makes the bound at rest, with the weights of the first observation, at x; again, with better ones, where these were ended
+  /// Makes the bound at rest, with the weights of the first observation, at x; lets it run once the certified eigenvalue
+  /// has risen, since in slow motion that takes less; and makes it again, with better weights, where these were ended
   /// early and there are means.
   void startFromRest(NodeVectorsView x);
+  void spendOnSweeps(double work);
   /// The upper side by the bound at rest, as narrow as means allow. `evaluation` is filled in, and becomes nullptr.
   bool followsFromRest(NodeVectorsView x, StepEvaluation*& evaluation, UpperBound& upper);
   bool observed() const { return observations_ > 0; }
@@ -230,7 +235,8 @@ class RunBracket {
   IncrementalNodalBound nodal_;
   IncrementalExchangeBound exchange_;
   std::optional<RestBound> rest_;
-  bool restEndedEarly_ = false, restFailed_ = false;  // restFailed_: a state was beyond what is known of a law
+  bool restRuns_ = false, restEndedEarly_ = false, restFailed_ = false;  // a state was beyond what is known of a law
+  double leastCertified_ = infinity;                                     // by the weights, since it was made
   std::optional<MovedBound> moved_;  // while it serves
   /// In WorkAccount's units. gain_: what shorter steps than they could be have cost while it does not serve; what it
   /// has saved, while it does. A step saves its force, and the rest of what the monitor does for one.
