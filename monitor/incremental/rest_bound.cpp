@@ -733,8 +733,7 @@ double RestBound::boundNodes(Region& region) {
         for (int j = i; j < 3; ++j)
           sum(i, j).set(lane, sum(i, j)[lane] + needed_[place](i, j) / body_.lumpedMass()[node]);
     }
-    if (touched)
-      together = math::max(together, eigenvaluesOf(sum).largest + P(relativeRounding) * sum.trace() + rest);
+    if (touched) together = math::max(together, eigenvaluesOf(sum).largest + P(relativeRounding) * sum.trace() + rest);
   }
   region.weight = region.trace = 0;
   double bound = 0;
@@ -887,7 +886,8 @@ Eigen::Matrix3d RestBound::majorantAt(std::int32_t node) const {
       sum.diagonal().array() += parts.geometric[lane] + motion.added * parts.laplacian[lane];
     }
   if (const DiscreteForces* discrete = body_.discreteForces())
-    if (const std::int32_t place = discrete->placeOf(node); place >= 0) sum += needed_[place] / body_.lumpedMass()[node];
+    if (const std::int32_t place = discrete->placeOf(node); place >= 0)
+      sum += needed_[place] / body_.lumpedMass()[node];
   return sum;
 }
 

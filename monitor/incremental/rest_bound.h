@@ -39,8 +39,8 @@ struct RestBoundPolicy {
 /// Groups of neighbouring elements have their majorants summed up at a reference state and one motion G each from
 /// there: a pass over the body measures at every state by how much their gradients differ from G times those of the
 /// reference. What turns costs nothing, and an even stretch what the law makes of it. The groups that make the bound
-/// highest are given new references, in closed form again. Discrete forces add what they may come to at a node. For bodies
-/// without rigid bodies and elements that damp, of isotropic laws.
+/// highest are given new references, in closed form again. Discrete forces add what they may come to at a node. For
+/// bodies without rigid bodies and elements that damp, of isotropic laws.
 class RestBound {
  public:
   /// Whether bodies like this one have the bound.
@@ -100,8 +100,9 @@ class RestBound {
     std::int64_t referenceAt;  // the state
     template <class Archive>
     void archive(Archive& a) {
-      a(block, patch, begin, end, follows, rests, rounding, uneven, size, leastStretch, stress, mean, apart, drift.kappa, drift.linear,
-        drift.quadratic, drift.negative, drift.radius, spread, seenNegative, count, inverse, summedAt, referenceAt);
+      a(block, patch, begin, end, follows, rests, rounding, uneven, size, leastStretch, stress, mean, apart,
+        drift.kappa, drift.linear, drift.quadratic, drift.negative, drift.radius, spread, seenNegative, count, inverse,
+        summedAt, referenceAt);
     }
   };
   /// How a group moves its part of a node's sum: 1+η, τ beside what the reference has, and √(1+η) G; still: G = 1.
@@ -176,8 +177,8 @@ class RestBound {
   void setNext(std::int32_t g, Matrix3<double> motion, bool summed);
   Matrix3<double> nextOf(std::int32_t g) const;
   void measure(NodeVectorsView x, StepEvaluation* evaluation);
-  /// By how much the highest principal stress of St. Venant-Kirchhoff can have risen in a group since its reference, Pa,
-  /// where all F differ from G times those of the reference by delta at most.
+  /// By how much the highest principal stress of St. Venant-Kirchhoff can have risen in a group since its reference,
+  /// Pa, where all F differ from G times those of the reference by delta at most.
   double stressRisen(const Group& group, const Matrix3<double>& G, double delta) const;
   /// The motion of a group as measured, and G for the next state. False where an F is not finite.
   bool follow(std::int32_t g);
@@ -222,7 +223,7 @@ class RestBound {
   std::vector<Eigen::Matrix3d> needed_;    // majorants of discrete forces, N/m
   std::vector<std::int32_t> neededAt_;     // where they are not zero
   std::vector<double> bounds_, discrete_;  // [region]; of discrete forces alone
-  std::int32_t node_ = 0;       // where it is highest
+  std::int32_t node_ = 0;                  // where it is highest
   Statistics statistics_;
   std::vector<ExchangeCertificate::Seen> seen_;
   Body::Workspace workspace_;

@@ -91,9 +91,7 @@ const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const S
     rests = upper.value < std::min(sigma, ceiling);
   }
   if (rests) {
-    nodal_.rest(turns   ? rest_->seen()
-                : moves ? moved_->seen()
-                        : exchange_.certificate().seen());
+    nodal_.rest(turns ? rest_->seen() : moves ? moved_->seen() : exchange_.certificate().seen());
     finite_ = !std::isnan(upper.value);
   } else {
     nodal_.spare(exchange_.serves());

@@ -165,9 +165,9 @@ class RunBracket {
   /// proves. It is started once a wide bracket has cost as much as that takes, in steps that were shorter than they
   /// could be, and given up when it takes more than it saves. `evaluation` is filled in, and becomes nullptr.
   bool follows(NodeVectorsView x, StepEvaluation*& evaluation, UpperBound& upper);
-  /// Makes the bound at rest, with the weights of the first observation, at x; lets it run once the certified eigenvalue
-  /// has risen, since in slow motion that takes less; and makes it again, with better weights, where these were ended
-  /// early and there are means.
+  /// Makes the bound at rest, with the weights of the first observation, at x; lets it run once the certified
+  /// eigenvalue has risen, since in slow motion that takes less; and makes it again, with better weights, where these
+  /// were ended early and there are means.
   void startFromRest(NodeVectorsView x);
   void spendOnSweeps(double work);
   /// The upper side by the bound at rest, as narrow as means allow. `evaluation` is filled in, and becomes nullptr.
@@ -237,7 +237,7 @@ class RunBracket {
   std::optional<RestBound> rest_;
   bool restRuns_ = false, restEndedEarly_ = false, restFailed_ = false;  // a state was beyond what is known of a law
   double leastCertified_ = infinity;                                     // by the weights, since it was made
-  std::optional<MovedBound> moved_;  // while it serves
+  std::optional<MovedBound> moved_;                                      // while it serves
   /// In WorkAccount's units. gain_: what shorter steps than they could be have cost while it does not serve; what it
   /// has saved, while it does. A step saves its force, and the rest of what the monitor does for one.
   double gain_ = 0, ofMoved_ = 0;
