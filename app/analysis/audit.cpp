@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -109,33 +111,49 @@ RuleAt ruleOf(Scene& scene, const AuditOptions& options, double& limit, const In
   };
 }
 
-/// Which node of the results each node of the body is; -1 for one that they lack, which is at rest.
+/// Which node of the results each node of the body is, by their numbers or, where these are not the same, by the order
+/// of the numbers or that of the meshes; -1 for one that the results lack, which is at rest.
 std::vector<std::int32_t> sameNodes(const Mesh& body, const Mesh& results, const std::string& where) {
-  std::vector<std::int32_t> same(body.nodeCount(), -1);
-  std::size_t found = 0;
-  if (!results.nodeIds.empty() && !body.nodeIds.empty()) {
-    NumberIndex index(results);
-    for (std::size_t i = 0; i < same.size(); ++i)
-      if (const auto node = index.node(body.nodeIds[i])) same[i] = *node, ++found;
-  } else if (body.nodeCount() == results.nodeCount()) {
-    for (std::size_t i = 0; i < same.size(); ++i) same[i] = static_cast<std::int32_t>(i);
-    found = same.size();
+  using Nodes = std::vector<std::int32_t>;
+  const double size = (body.X.rowwise().maxCoeff() - body.X.rowwise().minCoeff()).norm();
+  const auto apart = [&](const Nodes& same, std::size_t i) {
+    return same[i] < 0 ? 0 : (body.X.col(static_cast<Eigen::Index>(i)) - results.X.col(same[i])).norm();
+  };
+  const auto firstAstray = [&](const Nodes& same) {
+    std::size_t i = 0;
+    while (i < same.size() && apart(same, i) <= 1e-4 * size) ++i;
+    return i;
+  };
+  Nodes byNumber(body.nodeCount(), -1);
+  NumberIndex index(results);
+  for (std::size_t i = 0; i < byNumber.size(); ++i)
+    if (const auto node = index.node(body.nodeId(static_cast<std::int32_t>(i)))) byNumber[i] = *node;
+  const bool none = std::ranges::all_of(byNumber, [](std::int32_t node) { return node < 0; });
+  if (!none && firstAstray(byNumber) == byNumber.size()) return byNumber;
+  if (body.nodeCount() == results.nodeCount()) {
+    const auto listed = [](const Mesh& mesh) {
+      Nodes nodes(mesh.nodeCount());
+      std::iota(nodes.begin(), nodes.end(), 0);
+      return nodes;
+    };
+    const auto sorted = [&](const Mesh& mesh) {
+      Nodes nodes = listed(mesh);
+      std::ranges::stable_sort(nodes, {}, [&](std::int32_t node) { return mesh.nodeId(node); });
+      return nodes;
+    };
+    Nodes byOrder(body.nodeCount());
+    const Nodes own = sorted(body), theirs = sorted(results);
+    for (std::size_t k = 0; k < own.size(); ++k) byOrder[static_cast<std::size_t>(own[k])] = theirs[k];
+    for (const Nodes& same : {byOrder, listed(results)})
+      if (firstAstray(same) == same.size()) return same;
   }
-  if (found == 0)
+  if (none)
     throw InputError(fmt::format("{}: {} nodes, none of which is one of the {} of the scene's mesh", where,
                                  results.nodeCount(), body.nodeCount()));
-  const double size = (body.X.rowwise().maxCoeff() - body.X.rowwise().minCoeff()).norm();
-  for (std::size_t i = 0; i < same.size(); ++i) {
-    if (same[i] < 0) continue;
-    const auto own = static_cast<Eigen::Index>(i);
-    const double apart = (body.X.col(own) - results.X.col(same[i])).norm();
-    if (!(apart <= 1e-4 * size))
-      throw InputError(
-          fmt::format("{}: node {} lies {:.3g} m from where the scene's mesh has it at rest; they must be "
-                      "of the same mesh",
-                      where, body.nodeId(static_cast<std::int32_t>(i)), apart));
-  }
-  return same;
+  const std::size_t i = firstAstray(byNumber);
+  throw InputError(
+      fmt::format("{}: node {} lies {:.3g} m from where the scene's mesh has it at rest; they must be of the same mesh",
+                  where, body.nodeId(static_cast<std::int32_t>(i)), apart(byNumber, i)));
 }
 
 /// Steps by the times and increments of neighbouring states.
@@ -190,12 +208,11 @@ AuditedState audited(Body* body, const NodeVectors& x, const RuleAt& ruleAt, Aud
 /// The audited body without the elements that the other program has deleted; their masses stay at their nodes.
 class StandingBody {
  public:
-  explicit StandingBody(Body& whole) : whole_(whole), numbers_(whole.mesh()) {}
+  /// same: as by sameNodes(); empty where the body is that of the results. By reference.
+  StandingBody(Body& whole, const std::vector<std::int32_t>& same) : whole_(whole), same_(same) {}
 
-  /// deleted: elements of the results, which the body has by the same numbers or, without a scene, in the same places.
-  /// nullptr where no element is left.
-  Body* without(const std::vector<std::vector<bool>>& deleted, const Mesh& results, bool samePlaces,
-                const std::string& where) {
+  /// deleted: elements of the results, which the body has with the same nodes. nullptr where no element is left.
+  Body* without(const std::vector<std::vector<bool>>& deleted, const Mesh& results, const std::string& where) {
     if (deleted != deleted_) {
       deleted_ = deleted;
       left_.reset();
@@ -205,7 +222,7 @@ class StandingBody {
       for (std::size_t b = 0; b < deleted.size(); ++b)
         for (std::size_t e = 0; e < deleted[b].size(); ++e) {
           if (!deleted[b][e]) continue;
-          const ElementRef own = samePlaces ? ElementRef{b, e} : numbered(results.blocks[b].id(e), where);
+          const ElementRef own = same_.empty() ? ElementRef{b, e} : inBody(results.blocks[b], e, where);
           stays_[static_cast<std::size_t>(own.block)][static_cast<std::size_t>(own.element)] = false;
           ++count_;
         }
@@ -225,13 +242,28 @@ class StandingBody {
   }
 
  private:
-  ElementRef numbered(std::int64_t id, const std::string& where) {
-    if (const auto element = numbers_.element(id)) return *element;
-    throw InputError(fmt::format("{}: element {} is deleted, which the scene's mesh does not have", where, id));
+  using Nodes = std::vector<std::int32_t>;  // of an element, in the results, sorted
+  static Nodes nodesOf(const MeshBlock& block, std::size_t e) {
+    Nodes nodes(block.element(e), block.element(e) + block.nodesPerElement());
+    std::ranges::sort(nodes);
+    return nodes;
+  }
+  ElementRef inBody(const MeshBlock& block, std::size_t e, const std::string& where) {
+    if (elements_.empty())
+      for (std::size_t b = 0; b < whole_.mesh().blocks.size(); ++b) {
+        MeshBlock own = whole_.mesh().blocks[b];
+        for (std::int32_t& node : own.connectivity) node = same_[static_cast<std::size_t>(node)];
+        for (std::size_t k = 0; k < own.elementCount(); ++k) elements_.try_emplace(nodesOf(own, k), ElementRef{b, k});
+      }
+    const auto found = elements_.find(nodesOf(block, e));
+    if (found != elements_.end()) return found->second;
+    throw InputError(
+        fmt::format("{}: element {} is deleted, which the scene's mesh does not have", where, block.id(e)));
   }
 
   Body& whole_;
-  NumberIndex numbers_;
+  const std::vector<std::int32_t>& same_;
+  std::map<Nodes, ElementRef> elements_;
   std::vector<std::vector<bool>> deleted_, stays_;
   std::optional<Body> left_;
   std::size_t count_ = 0;
@@ -344,8 +376,12 @@ class AuditReport {
     const AuditedState& worst = *std::ranges::max_element(states_, {}, excess);
     tell("the step is proven unstable", &AuditedState::violated,
          fmt::format(", at worst {:.3g} times the largest that may be stable, in {}", excess(worst), nameOf(worst)));
-    tell("an element is inverted", &AuditedState::inverted, "");
     tell("all is lost", &AuditedState::lost, "");
+    tell("an element is inverted", &AuditedState::inverted, "");
+    tell("the tangent is indefinite", &AuditedState::indefinite, "");
+    tell(
+        "the step is neither proven stable nor unstable",
+        [](const AuditedState& s) { return s.verdict() == Verdict::notCertified && !s.indefinite(); }, "");
     return text;
   }
 
@@ -358,11 +394,8 @@ class AuditReport {
                        : "the results do not tell which step was taken; --step h holds one against the brackets");
     const AuditedState* closest = nullptr;
     double largest = 0, least = infinity;
-    bool curable = true;
     for (const AuditedState& state : states_) {
-      if (!state.verdict()) continue;
-      curable = curable && !state.indefinite();
-      if (state.indefinite()) continue;
+      if (!state.verdict() || state.indefinite()) continue;
       const auto share = [](const AuditedState& of) { return *of.step / of.bracket->safe; };
       if (!closest || share(state) > share(*closest)) closest = &state;
       largest = std::max(largest, *state.step);
@@ -372,12 +405,16 @@ class AuditReport {
     const double share = *closest->step / closest->bracket->safe;
     steps =
         Json{{"largest", largest}, {"largest_share", share}, {"state", closest->index + 1}, {"proven_in_all", least}};
-    const double room = least / largest;
+    const auto compared =
+        std::ranges::count_if(states_, [](const AuditedState& s) { return s.verdict() && !s.indefinite(); });
+    const bool all = compared == std::ssize(states_);
     result.json["conclusion"] = fmt::format(
-        "{}the step came to {:.3g} times the proven one, in {}; {:.6g} s is proven in every one of these "
-        "states{}{}",
-        wrong, share, nameOf(*closest), least, curable ? "" : " whose tangent is not indefinite",
-        room > 1 && curable ? fmt::format(": the run could have been {:.3g} times shorter", room) : "");
+        "{}the step came to {:.3g} times the proven one, in {}; {:.6g} s is proven in {}{}", wrong, share,
+        nameOf(*closest), least,
+        all ? "every state" : fmt::format("the {} of {} states that have a proven step", compared, states_.size()),
+        wrong.empty() && all && least > largest
+            ? fmt::format(": the run could have been {:.3g} times shorter", least / largest)
+            : "");
   }
 
   void table(std::string& text, bool all) const {
@@ -417,9 +454,15 @@ std::string junitText(const Json& audit) {
   int failures = 0, skipped = 0;
   for (const Json& state : audit["history"]) {
     const auto verdict = state["verdict"].get<std::string>();
-    std::string fault = verdict == "certified" || verdict == "-" ? "" : verdict;
-    if (state["indefinite"] && !fault.empty()) fault += ", the tangent is indefinite";
-    if (state["inverted"]) fault += fault.empty() ? "an element is inverted" : ", an element is inverted";
+    std::vector<std::string> faults;
+    if (verdict == "lost")
+      faults.push_back(state.contains("why") ? "lost, " + state["why"].get<std::string>() : "lost");
+    if (verdict == "violated") faults.push_back("the step is proven unstable");
+    if (state["inverted"]) faults.push_back("an element is inverted");
+    if (state["indefinite"] && verdict != "-") faults.push_back("the tangent is indefinite");
+    if (verdict == "not-certified" && faults.empty())
+      faults.push_back("the step is neither proven stable nor unstable");
+    const std::string fault = fmt::format("{}", fmt::join(faults, ", "));
     cases += fmt::format("  <testcase classname=\"ringwatch.audit\" name=\"state {}, {}\"", state["state"].get<int>(),
                          markupText(state["where"].get<std::string>()));
     if (fault.empty() && verdict == "-") {
@@ -430,18 +473,18 @@ std::string junitText(const Json& audit) {
           state["safe"].dump());
       continue;
     }
-    const std::string step =
-        state["step"].is_null() || !(state["safe"].is_number() && state["safe"] > 0)
-            ? fmt::format("step {} s, safe {} s", state["step"].dump(), state["safe"].dump())
-            : fmt::format("step {} s, {:.3g} times the proven one, {} s", state["step"].dump(),
-                          state["step"].get<double>() / state["safe"].get<double>(), state["safe"].dump());
+    std::string step = state["step"].is_null() ? "" : fmt::format("step {} s", state["step"].dump());
+    if (!step.empty() && !state["indefinite"] && state["safe"].is_number() && state["safe"] > 0)
+      step += fmt::format(", {:.3g} times the proven one, {} s, optimistic {} s",
+                          state["step"].get<double>() / state["safe"].get<double>(), state["safe"].dump(),
+                          state["optimistic"].dump());
     if (fault.empty()) {
       cases += fmt::format(">\n    <system-out>{}</system-out>\n  </testcase>\n", step);
       continue;
     }
     ++failures;
-    cases += fmt::format(">\n    <failure message=\"{}: {}, optimistic {} s\"/>\n  </testcase>\n", fault, step,
-                         state["optimistic"].dump());
+    cases += fmt::format(">\n    <failure message=\"{}{}{}\"/>\n  </testcase>\n", markupText(fault),
+                         step.empty() ? "" : ": ", step);
   }
   return fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" "
@@ -490,9 +533,9 @@ AuditResult auditResults(const AuditOptions& options) {
   };
   std::vector<AuditedState> states;
   ProgressLine progress(true);
-  StandingBody standing(body);
+  StandingBody standing(body, same);
   for (std::size_t i = 0; i < entries.size(); i += static_cast<std::size_t>(options.every)) {
-    Body* left = standing.without(series.deleted(i), series.mesh(), options.scene.empty(), entries[i].where);
+    Body* left = standing.without(series.deleted(i), series.mesh(), entries[i].where);
     states.push_back(
         audited(left, positions(i), ruleAt, {i, entries[i].time, steps[i], entries[i].increment, entries[i].where}));
     AuditedState& state = states.back();

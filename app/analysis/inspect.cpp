@@ -435,7 +435,7 @@ void answerOwnStep(const Subject& subject, CriticalStep bracket, InspectResult& 
     bracket.safe = std::max(bracket.safe, exact->at("safe").get<double>());
     bracket.optimistic = std::min(bracket.optimistic, exact->at("optimistic").get<double>());
   }
-  StepAnswer answer = answerStep(subject.scene, bracket);
+  StepAnswer answer = answerStep(subject.scene, subject.body, bracket);
   result.json["timestep"] = std::move(answer.json);
   result.text += answer.text;
 }
@@ -492,10 +492,14 @@ void reportMetrics(const std::vector<MetricResult>& metrics, const Subject& subj
     text += fmt::format("{}:{}\n", m.controlling.block, m.controlling.element);
   }
   text += "  safe: proven, the critical step is at least this; optimistic: proven, at most this\n";
-  if (!subject.scene.pointMasses.empty() || subject.scene.hasElementDamping())
-    text +=
-        "  estimates by waves are those of a material alone: neither mass that is added nor damping of elements is in "
-        "them\n";
+  std::vector<std::string_view> missing;
+  if (!subject.scene.pointMasses.empty()) missing.push_back("point masses, those for a fixed step among them,");
+  if (subject.scene.hasElementDamping()) missing.push_back("damping of elements");
+  if (!missing.empty())
+    text += fmt::format(
+        "  estimates by waves have the density of the material, a factor for mass scaling included; {} {} not in "
+        "them\n",
+        fmt::join(missing, " and "), missing.size() > 1 || !subject.scene.pointMasses.empty() ? "are" : "is");
 }
 
 void checkOptions(const InspectOptions& options) {

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <ringwatch/app/scene/scene_discrete.h>
+#include <ringwatch/monitor/critical_step.h>
 #include <ringwatch/monitor/event.h>
 #include <ringwatch/monitor/stability_monitor.h>
 
@@ -42,8 +44,23 @@ Verdict verdictOf(double step, const CriticalStep& bracket, const std::string& m
   return verdict == Verdict::violated && !mayBeStable.empty() ? Verdict::notCertified : verdict;
 }
 
-StepAnswer answerStep(const Scene& scene, const CriticalStep& bracket) {
+namespace {
+
+/// At rest, without bulk viscosity. mesh: of the scene's body.
+CriticalStep bracketWithoutBulkViscosity(Scene scene, const Mesh& mesh, int threads) {
+  scene.linearBulkViscosity = scene.quadraticBulkViscosity = 0;
+  Body body = sceneBody(scene, mesh, threads);
+  const NodeVectors& x = body.mesh().X;
+  return criticalStep(body, x,
+                      ruleAtOwnStep(scene, body, DampingRates::atRest, ownStepTolerance, stepOfTopMode(body, x)).rule);
+}
+
+}  // namespace
+
+StepAnswer answerStep(const Scene& scene, const Body& body, CriticalStep bracket) {
   const double step = scene.step ? *scene.step : scene.ownStep.value();
+  const bool without = !scene.step && (scene.linearBulkViscosity > 0 || scene.quadraticBulkViscosity > 0);
+  if (without) bracket = bracketWithoutBulkViscosity(scene, body.mesh(), body.threads());
   const Verdict verdict = verdictOf(step, bracket, scene.mayBeStable);
   StepAnswer answer{Json{{"asked", step}, {"verdict", std::string(verdictName(verdict))}, {"steps", nullptr}}, ""};
   std::string& text = answer.text;
@@ -53,19 +70,16 @@ StepAnswer answerStep(const Scene& scene, const CriticalStep& bracket) {
     text += fmt::format(", as is every one above {:.6g} s, {:.3g} times less", bracket.optimistic,
                         step / bracket.optimistic);
   if (bracket.indefinite()) {
-    text += verdict == Verdict::violated ? "; " + indefiniteText(bracket) + "\n" : "\n";
-    return answer;
+    if (verdict == Verdict::violated) text += "; " + indefiniteText(bracket);
+  } else if (const double count = stepsIn(step, bracket.safe); count == 0 || !(count <= mostSteps)) {
+    text += "; no step is proven stable";
+  } else {
+    answer.json["steps"] = static_cast<std::int64_t>(count);
+    answer.json["step"] = step / count;
+    text += fmt::format("; largest proven stable: {:.6g} s", bracket.safe);
+    if (count > 1) text += fmt::format(", so {} substeps of {:.6g} s", static_cast<std::int64_t>(count), step / count);
   }
-  const double count = stepsIn(step, bracket.safe);
-  if (count == 0 || !(count <= mostSteps)) {
-    text += "; no step is proven stable\n";
-    return answer;
-  }
-  answer.json["steps"] = static_cast<std::int64_t>(count);
-  answer.json["step"] = step / count;
-  text += fmt::format("; largest proven stable: {:.6g} s", bracket.safe);
-  if (count > 1) text += fmt::format(", so {} substeps of {:.6g} s", static_cast<std::int64_t>(count), step / count);
-  text += "\n";
+  text += without ? "; all without bulk viscosity, which that step has under compression alone\n" : "\n";
   return answer;
 }
 

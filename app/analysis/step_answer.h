@@ -29,7 +29,8 @@ struct StepAnswer {
   std::string text;
 };
 /// Of the step of a scene, else of the one that its own program takes (Scene::ownStep): whether it is proven stable or
-/// unstable, the largest one that is proven stable, and how many substeps of it are.
-StepAnswer answerStep(const Scene& scene, const CriticalStep& bracket);
+/// unstable, the largest one that is proven stable, and how many substeps of it are. The latter step has no bulk
+/// viscosity at rest, and so has what it is held against; it is not read from `bracket` then.
+StepAnswer answerStep(const Scene& scene, const Body& body, CriticalStep bracket);
 
 }  // namespace ringwatch

@@ -80,7 +80,7 @@ SuggestResult suggestSteps(const SuggestOptions& options) {
   }
   if (scene.step) json["scene_step"] = *scene.step;
   if (asked && !options.frame) {
-    const StepAnswer answer = answerStep(scene, bracket);
+    const StepAnswer answer = answerStep(scene, body, bracket);
     json["timestep"] = answer.json;
     result.text += "  " + answer.text;
     if (scene.ofModel && verdictOfState(*asked, bracket) == Verdict::notCertified && !bracket.indefinite())

@@ -484,6 +484,9 @@ class DeckReader : DeckWriter {
     } else if (name == "CONTACT" || name == "SURFACEBEHAVIOR") {
       return;
     } else {
+      const bool isFirst = loadsSeen_.insert(std::string(name)).second;
+      if (!isFirst && forRun() && inUpperCase(keyword_.value("OP")) == "NEW")
+        return refuseHere(", OP=NEW: takes away what is loaded above; leave that out instead");
       reading_ = name == "CLOAD" ? Reading::cload : name == "DLOAD" ? Reading::dload : Reading::dsload;
     }
   }
@@ -1509,6 +1512,7 @@ class DeckReader : DeckWriter {
   std::vector<DeckProperty> properties_;
   std::vector<DeckScaling> scalings_;
   std::vector<DeckRigid> rigids_;
+  std::set<std::string> loadsSeen_;  // keywords
   std::set<std::int64_t> ownNodes_;  // numbers of the nodes of the assembly
   static constexpr std::string_view ofAssembly = "node of the assembly ";
   std::map<std::string, std::string> points_;  // of node sets, as nodeSets_: pointOf the only node, or severalNodes

@@ -895,12 +895,14 @@ class DynaReader : DeckWriter {
     requireZero(second, 0, "DT2MSF", "scales masses; DT2MS < 0 is taken");
     requireZero(second, 1, "DT2MSLC", "scales masses by a curve; DT2MS < 0 is taken");
     requireZero(second, 2, "IMSCL", "scales masses by a matrix");
-    if (!forRun()) return;
-    requireZero(own, 6, "ERODE", "takes elements out of the body; [erosion] of a scene does that");
-    for (const auto& [field, name] : {std::pair<std::size_t, const char*>{0, "DTINIT"}, {5, "LCTM"}})
-      if (own.real(field, name) != 0)
+    if (forRun()) requireZero(own, 6, "ERODE", "takes elements out of the body; [erosion] of a scene does that");
+    for (const auto& [field, name] : {std::pair<std::size_t, const char*>{0, "DTINIT"}, {5, "LCTM"}}) {
+      if (own.real(field, name) == 0) continue;
+      stepDependsOn_.push_back(name);
+      if (forRun())
         note(fmt::format("{}: *CONTROL_TIMESTEP, {}: it does not bound the step, which is as large as is proven",
                          lines_.where(own.position()), name));
+    }
   }
   /// What a run is not.
   void analysis() {
@@ -936,7 +938,14 @@ class DynaReader : DeckWriter {
     const std::string where = stepAt_ ? lines_.where(position) : file_.string();
     const Crossings all = scaleMasses(-scaledStep_, nullptr, "CONTROL_TIMESTEP, DT2MS", position);
     if (!std::isfinite(all.least)) return;
-    scene_.ownStep = stepFactor_ * (all.scaled == 0 ? all.least : -scaledStep_);
+    if (!structures_.empty()) stepDependsOn_.push_back("the elements that are no solids");
+    if (std::ranges::any_of(forms_, [](const auto& form) { return form.second == 16 || form.second == 17; }))
+      stepDependsOn_.push_back("ELFORM 16 and 17");
+    if (!stepDependsOn_.empty())
+      note(fmt::format("{}: LS-DYNA's own step may depend on {} besides, and gets no verdict", where,
+                       fmt::join(stepDependsOn_, ", ")));
+    else
+      scene_.ownStep = stepFactor_ * (all.scaled == 0 ? all.least : -scaledStep_);
     const std::string crossing = fmt::format(
         "{:.6g} x {:.6g} = {:.6g} s, TSSFAC times the least crossing of an element by a wave, of element {}",
         stepFactor_, all.least, stepFactor_ * all.least, all.controlling);
@@ -1105,6 +1114,7 @@ class DynaReader : DeckWriter {
   std::vector<DeckLine> cards_;       // of the keyword
   const Handler* handler_ = nullptr;  // of the keyword at hand
   std::map<std::int64_t, DynaPart> parts_;
+  std::vector<std::string> stepDependsOn_;      // besides crossings, LS-DYNA's own step
   std::map<std::int64_t, std::int64_t> forms_;  // of *SECTION_SOLID
   std::map<std::int64_t, DynaHourglass> hourglasses_;
   DynaHourglass hourglass_;

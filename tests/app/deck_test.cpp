@@ -238,6 +238,8 @@ TEST_F(Decks, RefuseWhatWouldChangeTheMotion) {
          "hard and with one coefficient of friction; and 1 more: "
          "deck.inp:34: *TIE: ties degrees of freedom to each other");
   refuse(whole + "*NEW THING\n", "deck.inp:33: *NEW THING is not known");
+  refuse(std::string(soft) + step("*CLOAD\nright, 1, 1.\n*CLOAD, OP=NEW\nright, 2, 1.\n"),
+         "deck.inp:34: *CLOAD, OP=NEW: takes away what is loaded above; leave that out instead");
   refuse("*MATERIAL, NAME=m\n*ELASTIC, TYPE=ORTHO\n1,1,1\n", "deck.inp:24: *ELASTIC, TYPE=ORTHO: there is no such law");
   refuse("*MATERIAL, NAME=m\n*ELASTIC\n1e3, 0.3, 20.\n2e3, 0.3, 100.\n",
          "deck.inp:26: *ELASTIC: values that depend on temperature");
