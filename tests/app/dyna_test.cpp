@@ -488,7 +488,7 @@ TEST_F(DynaDecks, TellTheStepAndTheMassOfLsDyna) {
   for (const double factor : {0.67, 1.0, 3.0})
     for (const std::string command : {"inspect", "suggest"}) {
       folder_.write("deck.k", block(keyword("CONTROL_TIMESTEP", card(0, factor))));
-      const Outcome outcome = call(command + " deck.k --json own.json");
+      const test::Outcome outcome = call(command + " deck.k --json own.json");
       ASSERT_EQ(outcome.status, 0) << outcome.err;
       const Json own = json("own.json")["timestep"];
       EXPECT_NEAR(own["asked"].get<double>() / (factor * step), 1, 1e-6);
