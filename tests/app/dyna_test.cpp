@@ -487,6 +487,7 @@ TEST_F(DynaDecks, TellTheStepAndTheMassOfLsDyna) {
   int proven = 0;
   for (const double factor : {0.67, 1.0, 3.0})
     for (const std::string command : {"inspect", "suggest"}) {
+      if (factor > 1 && command == "suggest") continue;  // no scene steps farther than it may
       folder_.write("deck.k", block(keyword("CONTROL_TIMESTEP", card(0, factor))));
       const test::Outcome outcome = call(command + " deck.k --json own.json");
       ASSERT_EQ(outcome.status, 0) << outcome.err;
