@@ -234,4 +234,14 @@ void archiveVersion(Archive& a, std::int64_t& version, std::int64_t now) {
   if constexpr (Archive::loads) version = now - since;
 }
 
+/// An object that may be there. Where it is read and was not there it is made of the parameters first.
+template <class Archive, class T, class... Parameters>
+void archiveOptional(Archive& a, std::optional<T>& object, const Parameters&... parameters) {
+  bool isThere = object.has_value();
+  a(isThere);
+  if (!isThere) object.reset();
+  if (isThere && !object) object.emplace(parameters...);
+  if (isThere) a(*object);
+}
+
 }  // namespace ringwatch

@@ -16,7 +16,7 @@ struct BatchMotion {
   /// reads none.
   enum Flags : std::uint8_t { still = 1, summed = 2, rest = 4 };
 
-  const float* motion;               ///< G of each group over the reference's unit, row by row: [group][9]
+  const float* motion;               ///< G of each group over the unit of its F', 1 at rest, row by row: [group][9]
   const std::uint8_t* flags;         ///< [group]
   const std::int32_t* groupOfBatch;  ///< [batch]
   const std::int16_t* reference;     ///< F' in units: [batch][point][9][lane]
@@ -40,8 +40,6 @@ struct BatchMotion {
       measured_ = motion.measured + sizeOfGroup * group;
       still_ = (motion.flags[group] & still) != 0;
       rest_ = (motion.flags[group] & rest) != 0;
-      if (rest_)
-        for (int i = 0; i < 9; ++i) fromRest_[i] = still_ ? (i % 4 == 0 ? 1.0F : 0.0F) : motion_[i] / unit_;
       sums_ = (motion.flags[group] & summed) != 0;
       farthest2_ = all_ = Floats{};
     }
@@ -52,7 +50,7 @@ struct BatchMotion {
         for (int i = 0; i < 9; ++i) store(load(measured_ + (i + 1) * nativeWidth) + here[i], (i + 1) * nativeWidth);
       sums_ = false;
       if (rest_) {
-        for (int i = 0; i < 9; ++i) here[i] -= fromRest_[i];
+        for (int i = 0; i < 9; ++i) here[i] -= motion_[i];
       } else if (still_) {
         for (int i = 0; i < 9; ++i) here[i] -= unit_ * reference(i);
       } else {
@@ -97,7 +95,6 @@ struct BatchMotion {
     float unit_;
     float* measured_;
     bool still_, rest_, sums_;
-    float fromRest_[9];
     Floats farthest2_, all_;
   };
 };

@@ -65,9 +65,9 @@ HangingNodes hangingNodes(const Mesh& mesh, std::size_t nodes);
 std::string hangingNote(const std::string& source, std::int64_t count, std::int64_t firstId);
 std::string coincidenceNote(const std::string& source, std::int64_t count, std::int64_t firstId, std::int64_t secondId);
 
-/// The distance, m, up to which nodes lie at one place: a thousandth of the shortest edge that has a length,
-/// infinite where none has. Files of six
-/// digits or in single precision have twice the same node so far apart, and no sound element two of its own.
+/// The distance, m, up to which nodes lie at one place: a thousandth of the shortest edge that has a length, infinite
+/// where none has. Files of six digits or in single precision have twice the same node so far apart, and no sound
+/// element two of its own.
 double distanceOfDoubles(const Mesh& mesh);
 /// Cells of space in which nodes are sought that lie closer to each other than `near` or 1e-9 of the diagonal of the
 /// bounding box.

@@ -87,10 +87,10 @@ SuggestResult suggestSteps(const SuggestOptions& options) {
       notes.push_back(
           fmt::format("ringwatch inspect {} --exact tells the critical step to a millionth", scene.file.string()));
   }
-  if (asked && options.frame) {
-    const Verdict verdict = verdictOf(*asked, bracket, scene.mayBeStable);
-    result.text += fmt::format("  the step of the scene     {:.6g} s, {:.0f} steps: {} at its start\n", *asked,
-                               stepsIn(frame, *asked), verdictText(verdict, bracket, scene.mayBeStable));
+  if (scene.step && options.frame) {
+    const Verdict verdict = verdictOf(*scene.step, bracket, scene.mayBeStable);
+    result.text += fmt::format("  the step of the scene     {:.6g} s, {:.0f} steps: {} at its start\n", *scene.step,
+                               stepsIn(frame, *scene.step), verdictText(verdict, bracket, scene.mayBeStable));
   }
   if (!scene.contacts.empty())
     notes.emplace_back(

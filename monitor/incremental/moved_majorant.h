@@ -72,6 +72,11 @@ RINGWATCH_INLINE Symmetric3<S> secondStressOf(const Lame& constants, const Matri
   return stress;
 }
 
+/// m with |λ tr(e) 1 + 2μ e| <= m |e|: the largest size of an eigenvalue by the Frobenius norm of e.
+inline double stressModulus(double lambda, double twoMu) {
+  return std::sqrt((lambda + twoMu) * (lambda + twoMu) + 2 * lambda * lambda);
+}
+
 /// What St. Venant-Kirchhoff's geometric stiffness at F has beyond (1+η) times what T makes of that at A, Pa: with σ₋,
 /// σ₊ bounds of the eigenvalues of T Tᵀ, at most
 ///   max(0, lambda_max(S(F) - (1+η) σ_m S(A)) + (1+η) σ_d |S(A)|),   σ_m = (σ₋+σ₊)/2,   σ_d = (σ₊-σ₋)/2.
@@ -91,8 +96,7 @@ RINGWATCH_INLINE NativePack geometricGrowth(const Lame& constants, const Matrix3
     rest.m[c] -= (P(1.0) + eta) * mean * before.m[c];
     size2 += P(c < 3 ? 1.0 : 2.0) * before.m[c] * before.m[c];
   }
-  const double lambda = constants.lambda, mu = constants.mu;
-  const double modulus = math::sqrt((lambda + 2 * mu) * (lambda + 2 * mu) + 2 * lambda * lambda);
+  const double modulus = stressModulus(constants.lambda, 2 * constants.mu);
   // |S(A) - S(A')| <= modulus |E - E'|.
   const P error = P(modulus * errorOfAnchor) * (math::sqrt(innerProduct(A, A)) + P(0.5 * errorOfAnchor));
   return math::max(P(0.0),

@@ -47,13 +47,6 @@ Matrix3<NativePack> broadcast(const Matrix3<double>& A) {
   for (int i = 0; i < 9; ++i) all.m[i] = NativePack(A.m[i]);
   return all;
 }
-/// A bound of the largest singular value.
-double largestStretch(const Matrix3<double>& A) {
-  Symmetric3<double> square;
-  for (int i = 0; i < 3; ++i)
-    for (int j = i; j < 3; ++j) square(i, j) = A(0, i) * A(0, j) + A(1, i) * A(1, j) + A(2, i) * A(2, j);
-  return std::sqrt(eigenvalueBounds(square).high());
-}
 template <class S>
 Symmetric3<S> productWithTranspose(const Matrix3<S>& T) {
   Symmetric3<S> product;
@@ -61,6 +54,8 @@ Symmetric3<S> productWithTranspose(const Matrix3<S>& T) {
     for (int j = i; j < 3; ++j) product(i, j) = T(i, 0) * T(j, 0) + T(i, 1) * T(j, 1) + T(i, 2) * T(j, 2);
   return product;
 }
+/// A bound of the largest singular value.
+double largestStretch(const Matrix3<double>& A) { return std::sqrt(eigenvalueBounds(productWithTranspose(A)).high()); }
 /// All eigenvalues, ascending, to relativeRounding of the largest.
 struct Eigenvalues {
   NativePack least, middle, largest;
@@ -72,6 +67,8 @@ Eigenvalues eigenvaluesOf(const Symmetric3<NativePack>& A) {
   const auto extremes = extremeEigenvalues(full, 3, work, true);
   return {extremes.least, A.trace() - extremes.least - extremes.largest, extremes.largest};
 }
+/// The unit over which a group's next G stands.
+double unitOf(std::uint8_t flags) { return (flags & BatchMotion::rest) != 0 ? 1 : ValidityBalls::entryUnit; }
 NativePack packOf(const float (&numbers)[lanes]) {
   detail::NativeFloats floats;
   std::memcpy(&floats, numbers, sizeof floats);
@@ -128,7 +125,6 @@ void RestBound::start(NodalBound weights, const std::function<double(ElementRef)
   bodyVersion_ = body_.version();
   weights_.emplace(std::move(weights));
   const NodeVectors& X = body_.mesh().X;
-  if (!valueAtRest) weights_->evaluate(X, 0);
   restHighest_ = weights_->last();
   started_ = std::isfinite(restHighest_) && restHighest_ > 0;
   if (!started_) return;
@@ -505,7 +501,7 @@ void RestBound::refer(NodeVectorsView x, std::int32_t g) {
 }
 
 Matrix3<double> RestBound::nextOf(std::int32_t g) const {
-  return (1 / ValidityBalls::entryUnit) * matrixOf(next_.data() + 9 * g);
+  return (1 / unitOf(flags_[g])) * matrixOf(next_.data() + 9 * g);
 }
 
 void RestBound::setNext(std::int32_t g, Matrix3<double> motion, bool summed) {
@@ -518,9 +514,9 @@ void RestBound::setNext(std::int32_t g, Matrix3<double> motion, bool summed) {
   if (!stretches) motion = group.follows ? one : nearRotation(motion);
   const bool still = !(distance(motion, one) > policy_.still && distance(motion, one) < 1);
   if (still) motion = one;
-  for (int i = 0; i < 9; ++i) next_[9 * g + i] = static_cast<float>(ValidityBalls::entryUnit * motion.m[i]);
   flags_[g] = static_cast<std::uint8_t>((still ? BatchMotion::still : BatchMotion::summed) |
                                         (summed ? BatchMotion::summed : 0) | (group.rests ? BatchMotion::rest : 0));
+  for (int i = 0; i < 9; ++i) next_[9 * g + i] = static_cast<float>(unitOf(flags_[g]) * motion.m[i]);
 }
 
 void RestBound::see(NodeVectorsView x, const Group& group, bool all) {
@@ -575,10 +571,9 @@ double RestBound::stressRisen(const Group& group, const Matrix3<double>& G, doub
   const double ofMean = largestStretch(mean), off = std::sqrt(innerProduct(square, square)),
                ofRest = 0.5 * off * group.apart * (2 * ofMean + group.apart) +
                         delta * (largestStretch(G) * (ofMean + group.apart) + 0.5 * delta);
-  // |λ tr(e) 1 + 2μ e| <= modulus |e|.
-  const double kappa = rest.lambda + rest.twoMu, modulus = std::sqrt(kappa * kappa + 2 * rest.lambda * rest.lambda);
+  const double modulus = stressModulus(rest.lambda, rest.twoMu);
   return rest.lambda * strain.trace() + rest.twoMu * eigenvalueBounds(strain).high() + modulus * ofRest +
-         boundRounding * kappa;
+         boundRounding * (rest.lambda + rest.twoMu);
 }
 
 bool RestBound::follow(std::int32_t g) {

@@ -47,8 +47,8 @@ class RestBound {
   static bool serves(const Body& body);
   explicit RestBound(const Body& body, const RestBoundPolicy& policy = {});
   bool started() const { return started_ && bodyVersion_ == body_.version(); }
-  /// Makes the bound at rest with these weights: from l of the elements there, N/m, where that is known, else they are
-  /// evaluated once. Infinite where that is not finite.
+  /// Makes the bound at rest with these weights, whose last evaluation was at rest. valueAtRest: l of the elements
+  /// there, N/m, where the weights have given theirs back. Infinite where that is not finite.
   void start(NodalBound weights, const std::function<double(ElementRef)>& valueAtRest = {});
 
   /// The bound at positions x (3×N, m); infinite where a motion is beyond what is known of a law, NaN where an F is not
@@ -73,10 +73,7 @@ class RestBound {
 
   template <class Archive>
   void archive(Archive& a) {
-    bool weighted = weights_.has_value();
-    a(weighted);
-    if (weighted && !weights_) weights_.emplace(body_);
-    if (weighted) a(*weights_);
+    archiveOptional(a, weights_, body_);
     a(started_, states_, restHighest_, laplacianHighest_, values_, laplacian_, reference_, compressed_, groups_, next_,
       last_, flags_, packBegin_, parts_, regions_);
     archiveVersion(a, bodyVersion_, body_.version());
@@ -205,7 +202,7 @@ class RestBound {
   std::vector<AlignedVector<std::int16_t>> reference_;       // F: [block][batch][q][9][lane], ValidityBalls' units
   std::vector<std::vector<std::uint8_t>> compressed_;        // [block][batch]: 1 now, 2 when seen last
   std::vector<Group> groups_;
-  AlignedVector<float> next_;            // G for the next state in ValidityBalls' units: [group][9]
+  AlignedVector<float> next_;            // G for the next state over BatchMotion's unit: [group][9]
   AlignedVector<double> last_;           // that of the last: [group][9]
   std::vector<std::uint8_t> flags_;      // BatchMotion::Flags
   std::vector<std::int32_t> packBegin_;  // of the packs of nodes, into parts_

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 
 #include <ringwatch/base/error.h>
@@ -42,7 +43,7 @@ const std::optional<CriticalStep>& RunBracket::evaluate(NodeVectorsView x, const
   const DiscreteForces::Look look(body_.discreteForces(), x);
   account_.earn(uncertified_);
   follow(x, limit, h, evaluation);
-  if (step_ && h && account_.limited()) startFromRest(x);
+  if (step_ && h && account_.limited()) prepareRest(x);
   ++observations_;
   return step_;
 }
@@ -173,38 +174,37 @@ const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const S
   return step_;
 }
 
-void RunBracket::startFromRest(NodeVectorsView x) {
-  const bool starts = !rest_ || !rest_->started();
-  if (starts && !restFailed_ && RestBound::serves(body_)) {
-    // Weights of the first observation are of some other state perhaps, which bears on the width alone.
-    NodalBound weights = observed() ? nodal_.weightsAtRest() : nodal_.weights();
-    restEndedEarly_ = !observed() && nodal_.endedEarly();
+void RunBracket::prepareRest(NodeVectorsView x) {
+  const bool affordsMaking = !observed() || account_.affords(WorkAccount::ofRebuild(body_));
+  if (!rest_ || !rest_->started()) {
     restRuns_ = false;
-    leastCertified_ = nodal_.certifiedEigenvalue();
-    rest_.emplace(body_);
-    if (!observed() && x == body_.mesh().X) {
-      rest_->start(std::move(weights), [this](ElementRef e) { return nodal_.value(e); });
-      return;
-    }
-    statistics_.evaluated += observed() ? weights.evaluations() : body_.mesh().elementCount();
-    if (observed()) spendOnSweeps(WorkAccount::ofRebuild(body_));
-    rest_->start(std::move(weights));
-  } else if (!starts && !restRuns_) {
+    if (affordsMaking && !restFailed_ && RestBound::serves(body_)) makeRest(x);
+  } else if (!restRuns_) {
     leastCertified_ = std::min(leastCertified_, nodal_.certifiedEigenvalue());
     if (exchange_.serves() || !(nodal_.certifiedEigenvalue() > policy_.risen * leastCertified_)) return;
     // From the next observation on: this one shows it how the body has moved up to here.
     rest_->update(x, nullptr, infinity, 0);
     spendOnSweeps(account_.force());
     restRuns_ = true;
-  } else if (restRuns_ && restEndedEarly_ && account_.affords(WorkAccount::ofRebuild(body_))) {
-    restEndedEarly_ = false;
-    NodalBound weights = nodal_.weightsAtRest();
-    statistics_.evaluated += weights.evaluations();
-    spendOnSweeps(WorkAccount::ofRebuild(body_));
-    rest_.emplace(body_);
-    rest_->start(std::move(weights));
+  } else if (restEndedEarly_ && affordsMaking) {
+    makeRest(x);
     rest_->update(x, nullptr, infinity, 0);
   }
+}
+
+void RunBracket::makeRest(NodeVectorsView x) {
+  const bool first = !observed(), known = first && x == body_.mesh().X;
+  // Weights of the first observation are of some other state perhaps, which bears on the width alone.
+  NodalBound weights = first ? nodal_.weights() : nodal_.weightsAtRest();
+  if (first && !known) weights.evaluate(body_.mesh().X, 0);
+  if (!known) statistics_.evaluated += weights.evaluations();
+  if (!first) spendOnSweeps(WorkAccount::ofRebuild(body_));
+  restEndedEarly_ = first && nodal_.endedEarly();
+  leastCertified_ = nodal_.certifiedEigenvalue();
+  std::function<double(ElementRef)> value;
+  if (known) value = [this](ElementRef e) { return nodal_.value(e); };
+  rest_.emplace(body_);
+  rest_->start(std::move(weights), value);
 }
 
 void RunBracket::spendOnSweeps(double work) {

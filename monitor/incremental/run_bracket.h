@@ -145,16 +145,9 @@ class RunBracket {
       softest_, mode_, method_, statistics_, bracketed_, finite_, cheapest_, sharpening_, sharpeningRestart_,
       searchesNext_, wholeMode_, restart_, search_, examination_, lowest_, nextCompressed_, least_, searchedAt_, step_,
       best_, bestAt_, gain_, ofMoved_, observations_);
-    bool turns = rest_.has_value();
-    a(turns, restRuns_, restEndedEarly_, restFailed_, leastCertified_);
-    if (!turns) rest_.reset();
-    if (turns && !rest_) rest_.emplace(body_);
-    if (turns) a(*rest_);
-    bool moves = moved_.has_value();
-    a(moves);
-    if (!moves) moved_.reset();
-    if (moves && !moved_) moved_.emplace(body_);
-    if (moves) a(*moved_);
+    a(restRuns_, restEndedEarly_, restFailed_, leastCertified_);
+    archiveOptional(a, rest_, body_);
+    archiveOptional(a, moved_, body_);
     archiveVersion(a, bestVersion_, body_.version());
   }
 
@@ -165,10 +158,11 @@ class RunBracket {
   /// proves. It is started once a wide bracket has cost as much as that takes, in steps that were shorter than they
   /// could be, and given up when it takes more than it saves. `evaluation` is filled in, and becomes nullptr.
   bool follows(NodeVectorsView x, StepEvaluation*& evaluation, UpperBound& upper);
-  /// Makes the bound at rest, with the weights of the first observation, at x; lets it run once the certified
-  /// eigenvalue has risen, since in slow motion that takes less; and makes it again, with better weights, where these
-  /// were ended early and there are means.
-  void startFromRest(NodeVectorsView x);
+  /// Makes the bound at rest; lets it run once the certified eigenvalue has risen, since in slow motion validity balls
+  /// take less; and makes it again, with better weights, where these were ended early and there are means.
+  void prepareRest(NodeVectorsView x);
+  /// By the weights of the first observation, which is free; later by new ones, which are paid for.
+  void makeRest(NodeVectorsView x);
   void spendOnSweeps(double work);
   /// The upper side by the bound at rest, as narrow as means allow. `evaluation` is filled in, and becomes nullptr.
   bool followsFromRest(NodeVectorsView x, StepEvaluation*& evaluation, UpperBound& upper);
