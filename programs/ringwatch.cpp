@@ -25,6 +25,7 @@ namespace ringwatch {
 // `ringwatch-verify`. So is what writes pages, `ringwatch-report`, and what shares a run among processes,
 // `ringwatch-ranks`: this program knows nothing of MPI.
 std::span<const StudyInfo> allStudies() { return {}; }
+JudgeFunction judgeOfStudies() { return nullptr; }
 const ReportWriters* reportWriters() { return nullptr; }
 
 namespace {
@@ -33,7 +34,7 @@ namespace {
 std::string_view programFor(int argc, char** argv) {
   if (runsOnRanks(argc, argv)) return "ringwatch-ranks";
   const auto word = [&](int i) { return i < argc ? std::string_view(argv[i]) : std::string_view(); };
-  if (word(1) == "verify" || word(1) == "reference" ||
+  if (word(1) == "verify" || word(1) == "judge" || word(1) == "reference" ||
       (word(1) == "help" && (word(2) == "verify" || word(2) == "studies")))
     return "ringwatch-verify";
   // Options that ask for a page, as --report FILE or --report=FILE.

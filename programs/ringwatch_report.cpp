@@ -10,6 +10,7 @@
 namespace ringwatch {
 
 std::span<const StudyInfo> allStudies() { return {}; }
+JudgeFunction judgeOfStudies() { return nullptr; }
 
 }  // namespace ringwatch
 

@@ -8,10 +8,12 @@
 #include <pybind11/stl.h>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/meshes/mesh_io.h>
 #include <ringwatch/python/arrays.h>
 #include <ringwatch/python/errors.h>
 #include <ringwatch/python/results.h>
 #include <ringwatch/verify/integrators/integrators.h>
+#include <ringwatch/verify/step_rules/judge.h>
 
 namespace ringwatch::python {
 namespace {
@@ -95,9 +97,18 @@ py::object tableResult(const StudyTable& table) {
   return py::tuple(rows);
 }
 
+/// What a report holds, by name.
+py::object verification(const std::string& name, const StudyReport& report) {
+  static const ResultType& type = *new ResultType("Verification", 4);
+  py::list checks;
+  for (const StudyCheck& check : report.checks) checks.append(checkResult(check));
+  py::dict tables;
+  for (const StudyTable& table : report.tables) tables[text(table.name)] = tableResult(table);
+  return type(text(name), flag(report.passed()), py::tuple(checks), std::move(tables));
+}
+
 py::object verify(const py::object& make, const std::string& name, double limit, int order, int dampedOrder, int forces,
                   bool symplectic, bool reversible, bool full) {
-  static const ResultType& type = *new ResultType("Verification", 4);
   const IntegratorInfo declared{.name = name,
                                 .help = "an integrator written in Python",
                                 .order = order,
@@ -109,11 +120,32 @@ py::object verify(const py::object& make, const std::string& name, double limit,
   // Python's lock stays: most of the time goes into the integrator itself.
   const StudyReport report = verifyIntegrator([&] { return std::make_unique<PythonIntegrator>(declared, make()); },
                                               full ? StudyEffort::full : StudyEffort::quick);
-  py::list checks;
-  for (const StudyCheck& check : report.checks) checks.append(checkResult(check));
-  py::dict tables;
-  for (const StudyTable& table : report.tables) tables[text(table.name)] = tableResult(table);
-  return type(text(name), flag(report.passed()), py::tuple(checks), std::move(tables));
+  return verification(name, report);
+}
+
+/// A rule written in Python: rule(points, cells, young, poisson, density) -> s.
+py::object judge(const py::object& rule, const std::string& name, const std::vector<std::string>& meshes,
+                 const std::vector<std::string>& elements, int shapes, bool histories, double young, double poisson,
+                 double density) {
+  JudgeOptions options{shapes, elements, {}, histories, young, poisson, density};
+  for (const std::string& file : meshes) options.meshes.emplace_back(file, loadMesh(file));
+  const auto step = [&](const Mesh& mesh, double E, double nu, double rho) {
+    py::list cells;
+    for (const MeshBlock& block : mesh.blocks) {
+      const int n = block.nodesPerElement();
+      py::array_t<std::int32_t> nodes({static_cast<py::ssize_t>(block.elementCount()), static_cast<py::ssize_t>(n)},
+                                      block.connectivity.data());
+      cells.append(py::make_tuple(text(elementInfo(block.type).name), std::move(nodes)));
+    }
+    const py::object given = rule(ownedArray(NodeVectors(mesh.X)), std::move(cells), E, nu, rho);
+    const double value = PyFloat_AsDouble(given.ptr());
+    if (PyErr_Occurred()) {
+      PyErr_Clear();
+      throw InputError(joinText("rule: returned ", describe(given), "; must return a step, s"));
+    }
+    return value;
+  };
+  return verification(name, judgeRule(step, options).report);
 }
 
 }  // namespace
@@ -127,4 +159,5 @@ PYBIND11_MODULE(_verify, module) {
   py::class_<AccelerationCallback>(module, "Acceleration", py::module_local())
       .def("__call__", &AccelerationCallback::operator());
   module.def("verify", &verify);
+  module.def("judge", &judge);
 }

@@ -49,6 +49,7 @@ std::unique_ptr<Command> scaleMassCommand(const Call& call);
 std::unique_ptr<Command> adviseCommand(const Call& call);
 std::unique_ptr<Command> meshCommand(const Call& call);
 std::unique_ptr<Command> verifyCommand(const Call& call);
+std::unique_ptr<Command> judgeCommand(const Call& call);
 std::unique_ptr<Command> compareCommand(const Call& call);
 std::unique_ptr<Command> reportCommand(const Call& call);
 std::unique_ptr<Command> schemaCommand(const Call& call);

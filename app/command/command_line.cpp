@@ -22,9 +22,9 @@ namespace {
 
 /// Every command, in the order of the help.
 constexpr std::unique_ptr<Command> (*commandsOfProgram[])(const Call& call) = {
-    helpCommand,      runCommand,    inspectCommand,  auditCommand,  suggestCommand,
-    scaleMassCommand, adviseCommand, meshCommand,     verifyCommand, compareCommand,
-    reportCommand,    schemaCommand, examplesCommand, initCommand,   referenceCommand};
+    helpCommand,   runCommand,      inspectCommand, auditCommand,    suggestCommand, scaleMassCommand,
+    adviseCommand, meshCommand,     verifyCommand,  judgeCommand,    compareCommand, reportCommand,
+    schemaCommand, examplesCommand, initCommand,    referenceCommand};
 
 std::string mainFooter() {
   return std::string(unitsText) + "\n" + findHelpTopic("exit-status")->text() +

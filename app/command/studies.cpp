@@ -7,7 +7,7 @@
 #include <ringwatch/verify/monitor/monitor.h>
 #include <ringwatch/verify/remeshing/remeshing.h>
 #include <ringwatch/verify/robustness/robustness.h>
-#include <ringwatch/verify/step_rules/step_rules.h>
+#include <ringwatch/verify/step_rules/atlas.h>
 
 namespace ringwatch {
 
@@ -15,6 +15,8 @@ namespace {
 
 /// Every study, one entry each.
 const StudyInfo studiesOfLibrary[] = {
+    {"atlas", "step rules of other solvers, from shapes of elements, against the exact step: shapes, maps and meshes",
+     verifyAtlas, "step-rules"},
     {"elements", "every element and quadrature rule: rank, patch test, derivatives, convergence, frequencies, locking",
      verifyElements},
     {"handlers",
@@ -28,8 +30,6 @@ const StudyInfo studiesOfLibrary[] = {
      verifyRemeshing},
     {"robustness", "explicit integrators run long and on hard bodies: who survives, and with what error",
      [](StudyEffort effort) { return verifyRobustness(effort); }, "stress"},
-    {"step-rules", "step rules of other solvers, from shapes of elements, against the exact critical step",
-     verifyStepRules},
 };
 
 Registry<StudyInfo>& registry() {
@@ -40,6 +40,7 @@ Registry<StudyInfo>& registry() {
 }  // namespace
 
 std::span<const StudyInfo> allStudies() { return registry().all(); }
+JudgeFunction judgeOfStudies() { return judgeRule; }
 void registerStudy(const StudyInfo& study) { registry().add(study); }
 
 }  // namespace ringwatch

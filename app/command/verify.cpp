@@ -12,6 +12,7 @@
 #include <ringwatch/app/scene/integrator_catalog.h>
 #include <ringwatch/base/atomic_file.h>
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/markup.h>
 #include <ringwatch/base/subprocess.h>
 #include <ringwatch/base/user_text.h>
 
@@ -31,6 +32,9 @@ std::size_t width(const std::string& text) {
 }
 
 std::string tableText(const StudyTable& table) {
+  constexpr std::size_t longest = 100;  // rows that a terminal shows
+  if (table.rows.size() > longest)
+    return fmt::format("{}: {} rows, in --json and --report\n", table.title, table.rows.size());
   std::vector<std::vector<std::string>> lines{table.columns};
   for (const auto& row : table.rows) {
     lines.emplace_back();
@@ -109,28 +113,39 @@ std::string surfaceScript(const StudySurfaces& surfaces) {
   std::array<double, 3> least, most;
   least.fill(HUGE_VAL);
   most.fill(-HUGE_VAL);
-  double largest = 0;
+  double smallest = HUGE_VAL, largest = 0;
   for (const StudySurfaces::Panel& panel : surfaces.panels) {
     for (const auto& p : panel.points)
       for (std::size_t c = 0; c < 3; ++c) {
         least[c] = std::min(least[c], p[c]);
         most[c] = std::max(most[c], p[c]);
       }
-    for (const double value : panel.values) largest = std::max(largest, value);
+    for (const double value : panel.values) {
+      smallest = std::min(smallest, value);
+      largest = std::max(largest, value);
+    }
   }
   constexpr std::size_t perRow = 5;
   const std::size_t rows = (surfaces.panels.size() + perRow - 1) / perRow;
-  constexpr double decades = 1e-4;  // of the largest value are shown
+  constexpr double decades = 1e-4;  // of the largest value are shown at most
+  const bool map = !(most[2] > least[2]);
+  constexpr double farthest = 10;  // from 1, on a map
+  const double apart = std::min(std::max(largest, 1 / smallest), farthest);
   std::string script = fmt::format(
       "set terminal pngcairo size 1900,{} font 'DejaVu Sans,13'\nset output '{}.png'\n"
-      "set multiplot layout {},{} title {} noenhanced\nset view 65,330\nset view equal xyz\nunset border\n"
-      "unset xtics\nunset ytics\nunset ztics\nunset key\nset pm3d depthorder\nset pm3d border lc rgb '#505050' lw 0.2\n"
-      "set palette defined (0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#5ec962', 4 '#fde725')\n"
-      "set logscale cb\nset format cb '10^{{%L}}'\nset cbrange [{:g}:{:g}]\nset cblabel {} noenhanced\n"
+      "set multiplot layout {},{} title {} noenhanced\n{}\nunset border\n"
+      "unset xtics\nunset ytics\nunset ztics\nunset key\n"
+      "set logscale cb\nset cbrange [{:g}:{:g}]\nset cblabel {} noenhanced\n"
       "set xrange [{:g}:{:g}]\nset yrange [{:g}:{:g}]\nset zrange [{:g}:{:g}]\n",
       80 + 380 * rows, surfaces.name, rows, std::min(perRow, surfaces.panels.size()), gnuplotQuoted(surfaces.title),
-      decades * largest, largest, gnuplotQuoted(surfaces.valueLabel), least[0], most[0], least[1], most[1], least[2],
-      most[2]);
+      // Colours of a map part at 1.
+      map ? "set view map\nset size ratio -1\nset pm3d border retrace\nset palette defined (0 '#2166ac', 1 '#f7f7f7', "
+            "2 '#b2182b')"
+          : "set view 65,330\nset view equal xyz\nset pm3d depthorder\nset pm3d border lc rgb '#505050' lw 0.2\n"
+            "set palette defined (0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#5ec962', 4 '#fde725')\n"
+            "set format cb '10^{%L}'",
+      map ? 1 / apart : std::max(smallest, decades * largest), map ? apart : largest,
+      gnuplotQuoted(surfaces.valueLabel), least[0], most[0], least[1], most[1], least[2], map ? least[2] + 1 : most[2]);
   std::size_t first = 0;
   for (const StudySurfaces::Panel& panel : surfaces.panels) {
     const std::size_t triangles = panel.points.size() / 3;
@@ -231,6 +246,24 @@ nlohmann::ordered_json studiesJson(const std::vector<StudyReport>& reports) {
                                  {"passed", check.passed()}});
   }
   return json;
+}
+
+std::string junitOfChecks(const StudyReport& report) {
+  std::string cases;
+  std::size_t failures = 0;
+  for (const StudyCheck& check : report.checks) {
+    cases += fmt::format("  <testcase classname=\"ringwatch.{}\" name=\"{}\"", report.study, markupText(check.name));
+    failures += check.passed() ? 0 : 1;
+    cases += check.passed() ? "/>\n"
+                            : fmt::format(
+                                  ">\n    <failure message=\"measured {}, expected {}, tolerance {}\"/>\n  "
+                                  "</testcase>\n",
+                                  check.measured, check.expected, check.tolerance);
+  }
+  return fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"ringwatch {}\" tests=\"{}\" "
+      "failures=\"{}\">\n{}</testsuite>\n",
+      report.study, report.checks.size(), failures, cases);
 }
 
 std::vector<std::string> drawFigures(const StudyReport& report, const std::filesystem::path& folder) {

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include <ringwatch/verify/report.h>
+#include <ringwatch/verify/step_rules/judge.h>
 
 namespace ringwatch {
 
@@ -27,6 +28,10 @@ std::span<const StudyInfo> allStudies();
 /// name is taken.
 void registerStudy(const StudyInfo& study);
 
+/// judgeRule; nullptr in programs without studies.
+using JudgeFunction = Judgement (*)(const StepRuleOfOthers& rule, const JudgeOptions& options);
+JudgeFunction judgeOfStudies();
+
 /// Told of the studies as they run, one after the other.
 struct StudyProgress {
   std::function<void(const StudyInfo& study, std::size_t number, std::size_t count)> begins = {};  // number: from 1
@@ -41,6 +46,8 @@ std::vector<StudyReport> runStudies(const std::vector<std::string>& names, Study
 std::string studyText(const StudyReport& report);
 /// { "passed": …, "studies": { NAME: { "passed", "tables": { NAME: [rows as objects] }, "checks": [ … ] } } }
 nlohmann::ordered_json studiesJson(const std::vector<StudyReport>& reports);
+/// The checks of a report as test cases in JUnit's XML.
+std::string junitOfChecks(const StudyReport& report);
 /// Draws every figure of a report with gnuplot into `folder` (NAME.png beside its script and data). Returns a note for
 /// each picture that could not be drawn.
 std::vector<std::string> drawFigures(const StudyReport& report, const std::filesystem::path& folder);

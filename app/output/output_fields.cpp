@@ -457,6 +457,21 @@ constexpr OutputField verification[] = {
     {"studies.*.checks[].passed", "", "whether it is within", F::boolean},
 };
 
+constexpr OutputField judging[] = {
+    conclusion,
+    {"passed", "", "whether the rule is nowhere above the exact step", F::boolean},
+    {"studies.*.passed", "", "the same", F::boolean},
+    {"studies.*.tables.*[].*", "", "rows of the table, by column", F::any},
+    {"studies.*.checks[].name", "", "what is checked", F::text},
+    {"studies.*.checks[].measured", "", "largest step of the rule over the exact one", F::any},
+    {"studies.*.checks[].expected", "", "1", F::any},
+    {"studies.*.checks[].tolerance", "", "difference that is allowed", F::any},
+    {"studies.*.checks[].passed", "", "whether it is within", F::boolean},
+    {"worst.case", "", "where the rule is farthest above the exact step; absent where it is nowhere", F::text},
+    {"worst.given", "s", "what the rule says there"},
+    {"worst.exact", "s", "the exact step there"},
+};
+
 constexpr OutputField auditing[] = {
     conclusion,
     {"results", "", "the results as they were given", F::text},
@@ -613,6 +628,7 @@ constexpr JsonOutput outputs[] = {
     {"audit", "what ringwatch audit --json writes", auditing},
     {"compare", "what ringwatch compare --json writes", comparison},
     {"verify", "what ringwatch verify --json writes", verification},
+    {"judge", "what ringwatch judge --json writes", judging},
 };
 
 }  // namespace

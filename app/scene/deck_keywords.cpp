@@ -429,6 +429,16 @@ const DeckSolid* findDeckSolid(std::string_view type) {
   return found == std::end(solids) ? nullptr : found;
 }
 
+const DeckSolid* findDeckSolidOf(std::string_view element, std::string_view rule) {
+  const DeckSolid* first = nullptr;
+  for (const DeckSolid& solid : solids) {
+    if (solid.element != element) continue;
+    if (solid.rule == rule) return &solid;
+    if (!first) first = &solid;
+  }
+  return first;
+}
+
 std::string deckHelp() {
   std::string text =
       "Abaqus and CalculiX decks in place of a scene (run) or a mesh (inspect); blanks in keywords do not count, and "

@@ -41,7 +41,7 @@ from ._convert import mesh_from
 from ._device_monitor import DeviceMonitor
 from ._run import Audit, Comparison, RunResult, audit, compare, report, run
 from ._suggest import suggest
-from ._verification import verify
+from ._verification import judge, verify
 
 __all__ = [
     "Audit",
@@ -71,6 +71,7 @@ __all__ = [
     "compare",
     "generate_mesh",
     "inspect",
+    "judge",
     "load_mesh",
     "mesh_from",
     "metric_names",

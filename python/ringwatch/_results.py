@@ -321,10 +321,10 @@ class Check(Result):
 
 @dataclass(frozen=True, slots=True, repr=False)
 class Verification(Result):
-    """What a study of an integrator found: see `verify`."""
+    """What a study of an integrator or of a step rule found: see `verify` and `judge`."""
 
     name: str
-    """Of the integrator."""
+    """Of the integrator or the rule."""
     passed: bool
     """Whether all checks did."""
     checks: tuple[Check, ...]

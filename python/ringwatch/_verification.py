@@ -1,7 +1,8 @@
-"""Integrators that are written in Python, held to what they declare."""
+"""Integrators and step rules that are written in Python, held to what is exact."""
 from __future__ import annotations
 
-from collections.abc import Callable
+import os
+from collections.abc import Callable, Sequence
 from typing import cast
 
 import numpy as np
@@ -16,6 +17,43 @@ Step = Callable[
     [Acceleration, float, NDArray[np.float64], NDArray[np.float64], float],
     tuple[float, NDArray[np.float64], NDArray[np.float64]],
 ]
+
+# rule(points, cells, young, poisson, density) -> step
+Rule = Callable[[NDArray[np.float64], list[tuple[str, NDArray[np.int32]]], float, float, float], float]
+
+
+def judge(
+    rule: Rule,
+    *,
+    meshes: str | os.PathLike[str] | Sequence[str | os.PathLike[str]] = (),
+    elements: Sequence[str] = (),
+    shapes: int | None = None,
+    histories: bool = False,
+    young: float = 1e6,
+    poisson: float = 0.3,
+    density: float = 1000.0,
+) -> Verification:
+    """Holds a rule for the step to the exact one of central differences, as `ringwatch judge` does.
+
+    rule: a function (points, cells, young, poisson, density) -> step, s, of a free elastic body: points (N, 3), m; cells,
+    a list of (element, (M, n) node numbers), the elements as "tet4", nodes in VTK's order. meshes: files. elements: whose
+    shapes count; all linear ones by default. shapes: of each family, 20 by default, 0 where meshes are given. histories:
+    also states of bars and a ball that move. young (Pa), poisson, density (kg/m³): of the shapes and meshes. The table
+    `judge` says on how many cases the rule is unsafe, `passed` that it is on none. Raises InputError, and what the rule
+    raises.
+    """
+    if not callable(rule):
+        raise InputError(f"rule: an object of type {type(rule).__name__}; must be a function "
+                         "(points, cells, young, poisson, density) -> step")
+    files = [meshes] if isinstance(meshes, (str, os.PathLike)) else list(meshes)
+    count = shapes if shapes is not None else 0 if files else 20
+    if count < 0:
+        raise InputError(f"shapes = {count}: must be at least 0")
+    from . import _verify  # the studies, which nothing else needs
+
+    called = getattr(rule, "__name__", type(rule).__name__)
+    return _verify.judge(rule, called, [os.fspath(file) for file in files], list(elements), count, histories,
+                         young, poisson, density)
 
 
 def verify(

@@ -1,7 +1,7 @@
 from collections.abc import Callable
 
 from ._results import Verification
-from ._verification import Step
+from ._verification import Rule, Step
 
 class Acceleration:
     def __init__(self) -> None: ...
@@ -16,5 +16,18 @@ def verify(
     symplectic: bool,
     reversible: bool,
     full: bool,
+    /,
+) -> Verification: ...
+
+def judge(
+    rule: Rule,
+    name: str,
+    meshes: list[str],
+    elements: list[str],
+    shapes: int,
+    histories: bool,
+    young: float,
+    poisson: float,
+    density: float,
     /,
 ) -> Verification: ...

@@ -80,7 +80,7 @@ CASES = {
     "repair": ["mesh", "repair", "bar.msh", "old.msh"],
     "advise": ["advise", "scene.toml", "--step", "8e-3", "--run-steps", "10", "--json", "old.json"],
     "mujoco": ["inspect", "soft.xml", "--json", "old.json"],
-    "verify": ["verify", "step-rules", "--quick", "--json", "old.json"],
+    "judge": ["judge", "bar.msh", "--metric", "single-element", "--json", "old.json", "--junit", "old.xml", "--report", "old.html"],
     "init": ["init", "new.toml", "--mesh", "bar.msh", *MATERIAL],
     "examples": ["examples", "stretch_bar"],
     "schema": ["schema", "scene"],

@@ -153,3 +153,27 @@ def test_an_acceleration_ends_with_its_step() -> None:
 
     with pytest.raises(rw.InputError, match="acceleration: called after the step"):
         rw.verify(keeping, **KIND)
+
+
+def test_judges_a_rule_of_python() -> None:
+    def shortest_edge(points: Any, cells: Any, young: float, poisson: float, density: float) -> float:
+        speed = math.sqrt(young * (1 - poisson) / ((1 + poisson) * (1 - 2 * poisson)) / density)
+        pairs = [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)]
+        return min(float(np.linalg.norm(points[nodes[:, a]] - points[nodes[:, b]], axis=1).min())
+                   for element, nodes in cells if element == "tet4" for a, b in pairs) / speed
+
+    found = rw.judge(shortest_edge, elements=["tet4"], shapes=3)
+    assert not found.passed and found.name == "shortest_edge"
+    same = json.loads(call(PROGRAM, "judge", "--metric", "pressure-wave:shortest-edge", "--elements", "tet4", "--shapes", "3",
+                           "--json", "-", status=1).stdout)["studies"]["judge"]["tables"]["judge"]
+    for mine, theirs in zip(found.tables["judge"], same, strict=True):
+        assert mine["on"] == theirs["on"] and mine["unsafe"] == theirs["unsafe"]
+        assert mine["largest step over exact"] == pytest.approx(theirs["largest step over exact"], rel=1e-9)
+    assert rw.judge(lambda *_: 1e-9, shapes=1, elements=["hex8"], histories=True).passed
+    bad: Any
+    for bad, said in ((5, "rule: an object of type int"), (lambda *_: "now", "rule: returned an object of type str"),
+                      (lambda *_: -1.0, "the rule gives -1 s; must be above 0")):
+        with pytest.raises(rw.InputError, match=said):
+            rw.judge(bad)
+    with pytest.raises(rw.InputError, match="shapes = -1"):
+        rw.judge(shortest_edge, shapes=-1)
