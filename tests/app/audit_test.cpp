@@ -223,10 +223,11 @@ TEST_F(Audits, NameWhatIsInvertedAndLost) {
             {0.05, 40, lost}});
   const Json json = audit("bar.frd --junit j.xml" + std::string(test::material), 1);
   EXPECT_THAT(json["conclusion"].get<std::string>(),
-              AllOf(HasSubstr("all is lost in 1 of 3 states; an element is inverted in 1 of 3 states; "),
+              AllOf(HasSubstr("the state is lost in 1 of 3 states; an element is inverted in 1 of 3 states; "),
                     Not(HasSubstr("could have been"))));
   EXPECT_THAT(folder_.read("j.xml"),
-              AllOf(HasSubstr("<failure message=\"lost, 1 of 4 nodes are not finite: step "), Not(HasSubstr("null"))));
+              AllOf(HasSubstr("<failure message=\"the state is lost, 1 of 4 nodes are not finite: step "),
+                    Not(HasSubstr("null"))));
   EXPECT_EQ(json["displacement"], "DISP");
   EXPECT_NEAR(json["history"][0]["step"].get<double>(), 2e-3, 1e-15);
   EXPECT_NEAR(json["history"][1]["step"].get<double>(), 1e-3, 1e-15);
