@@ -163,7 +163,8 @@ MeshState loadVtuState(const fs::path& path, const std::string& displacement, st
   return state;
 }
 
-std::vector<MeshProblem> checkMeshFile(const fs::path& path, std::vector<std::string>* notes) {
+std::vector<MeshProblem> checkMeshFile(const fs::path& path, std::vector<std::string>* notes,
+                                       std::vector<std::string>* ofMesh) {
   std::vector<MeshProblem> problems;
   Mesh mesh = read(path, notes, &problems);
   for (MeshProblem& problem : detail::turnAndCheck(mesh, path.string(), notes)) {
@@ -175,8 +176,7 @@ std::vector<MeshProblem> checkMeshFile(const fs::path& path, std::vector<std::st
   const bool complete = std::none_of(problems.begin(), problems.end(), [](const MeshProblem& problem) {
     return problem.kind == MeshProblem::Kind::missingNode || problem.kind == MeshProblem::Kind::nonFinite;
   });
-  if (notes != nullptr && complete)
-    for (std::string& note : meshNotes(mesh, path.string())) notes->push_back(std::move(note));
+  if (ofMesh != nullptr && complete) *ofMesh = meshNotes(mesh, path.string());
   return problems;
 }
 

@@ -72,8 +72,9 @@ MeshState readVtuState(const std::filesystem::path& path, const std::string& dis
                        std::vector<std::string>* notes = nullptr);
 
 /// Every problem of a mesh file. Throws InputError where the file cannot be parsed at all; missing nodes and non-finite
-/// coordinates are listed with their line.
-std::vector<MeshProblem> checkMeshFile(const std::filesystem::path& path, std::vector<std::string>* notes = nullptr);
+/// coordinates are listed with their line. ofMesh: becomes meshNotes(); notes are those of reading it.
+std::vector<MeshProblem> checkMeshFile(const std::filesystem::path& path, std::vector<std::string>* notes = nullptr,
+                                       std::vector<std::string>* ofMesh = nullptr);
 
 /// The formats that `writeMesh` knows.
 enum class MeshFormat { byExtension, msh41, msh41Binary, msh22, msh22Binary, vtu };
