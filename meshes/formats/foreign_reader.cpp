@@ -121,6 +121,8 @@ void refuseUnfollowed(const std::filesystem::path& path) {
     if (!isMark(at)) continue;
     Dataset& own = datasets.emplace_back(Dataset{number(at + 1, 0), at + 2, at + 2});
     while (own.end < lines.size() && !isMark(own.end)) ++own.end;
+    if (own.end == lines.size())
+      fail(at, joinText("dataset ", own.number, " has no end, a line of -1; is the file cut short?"));
     at = own.end;
   }
   const auto forEach = [&](std::int64_t wanted, const auto& visit) {
