@@ -100,9 +100,12 @@ void RunRecorder::completeReasons(Body& body) {
   // the two brackets do not meet.
   const DampingRates rates = leastV_.isZero(0) ? DampingRates::atRest : DampingRates::followed;
   const StepRule rule = ruleAtOwnStep(scene_, body, rates, ownStepTolerance, stepOfTopMode(body, leastX_)).rule;
-  CriticalStep step = criticalStep(body, leastX_, rule, {.width = widthOfReasons(body, result_.steps)});
+  const double width = widthOfReasons(body, result_.steps);
+  CriticalStep step = criticalStep(body, leastX_, rule, {.width = width});
+  // By the rule of the run, which is this one where nothing damps.
   const bool damped = body.elementDamping() || (body.discreteForces() && body.discreteForces()->damped());
-  if (const double known = why["safe"]; !damped && known <= step.optimistic) step.safe = std::max(step.safe, known);
+  if (const double known = why["safe"]; width > ExchangePolicy::width && !damped && known <= step.optimistic)
+    step.safe = std::max(step.safe, known);
   Json ofStep = stepReasons(body, leastX_, rule, integrator, step);
   if (const Json& most = why["optimistic"]; !ofStep.is_null() && (most.is_null() || step.safe <= most.get<double>())) {
     for (const char* key : {"step", "time"}) ofStep[key] = why[key];
