@@ -122,7 +122,8 @@ void refuseUnfollowed(const std::filesystem::path& path) {
     Dataset& own = datasets.emplace_back(Dataset{number(at + 1, 0), at + 2, at + 2});
     while (own.end < lines.size() && !isMark(own.end)) ++own.end;
     if (own.end == lines.size())
-      fail(at, joinText("dataset ", own.number, " has no end, a line of -1; is the file cut short?"));
+      fail(at, joinText("this is a universal file (UNV) whose dataset ", own.number,
+                        " has no end, a line of -1; is it cut short?"));
     at = own.end;
   }
   const auto forEach = [&](std::int64_t wanted, const auto& visit) {

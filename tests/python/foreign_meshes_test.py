@@ -334,7 +334,7 @@ def test_a_program_that_is_ended_leaves_nothing(tmp_path: pathlib.Path) -> None:
      "it has a tetra with node 0; there are 3 nodes"),
     ("m.mesh", "MeshVersionFormatted 2\nDimension 3\nVertices\n99999999999\n0 0 0 0\nEnd\n",
      "a Medit mesh; meshio cannot read it: it asks for more memory than there is; is a count in it damaged?"),
-    ("m.unv", "    -1\n  2411\n         1         1         1        11\n 0.0 0.0 0.0\n", "m.unv:1: dataset 2411 has no end, a line of -1; is the file cut short?"),
+    ("m.unv", "    -1\n  2411\n         1         1         1        11\n 0.0 0.0 0.0\n", "m.unv:1: this is a universal file (UNV) whose dataset 2411 has no end, a line of -1; is it cut short?"),
     ("m.mesh", "MeshVersionFormatted 2\nWhat\n", "a Medit mesh; meshio cannot read it: Expected `Vertices`"),
     ("m.bdf", "BEGIN BULK\nGRID,1,7,0.,0.,0.\nGRID,2,7,1.,0.,0.\nGRID,3,7,0.,1.,0.\nGRID,4,7,0.,0.,1.\nCTETRA,1,1,1,2,3,4\nENDDATA\n",
      "line 2: GRID has coordinate system 7; only the basic one is read"),
