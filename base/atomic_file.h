@@ -15,6 +15,7 @@
 #include <vector>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/leftovers.h>
 #include <ringwatch/base/output_file.h>
 #include <ringwatch/base/scratch_folder.h>
 
@@ -83,7 +84,8 @@ class ThroughFile {
 enum class Outlives { program, machine };
 
 /// Lets `write` fill a temporary file in the folder of `path` and renames it to `path`: a reader sees the old file or
-/// the whole new one, never half of one. On failure the temporary is removed and `path` is left as it was. Symbolic
+/// the whole new one, never half of one. On failure, and where removeLeftoversOnSignals() was called on a signal that
+/// ends the program, the temporary is removed and `path` is left as it was. Symbolic
 /// links stay, and the file they lead to is replaced. What is no regular file, such as a device or a pipe, and this
 /// program's own output stay as well: they get the bytes.
 /// Throws InputError "cannot write PATH: reason"; an InputError of `write` itself passes unchanged.
@@ -123,6 +125,7 @@ inline void writeFileAtomically(const std::filesystem::path& path,
   if (!std::filesystem::exists(folder, error)) throw InputError(failure + "there is no folder " + folder.string());
   if (!std::filesystem::is_directory(folder, error)) throw InputError(failure + folder.string() + " is not a folder");
   if (std::filesystem::is_directory(target, error)) throw InputError(failure + "a folder of that name is in the way");
+  const Leftover unfinished(temporary);
   try {
     fill(temporary);
     const auto sync = [&](const std::filesystem::path& what) {

@@ -65,9 +65,13 @@ class BodySystem final : public DifferentiableSystem {
   /// Damping force at x, C v and friction, 3×N, N.
   void dampingForce(const NodeVectors& x, const NodeVectors& v, NodeVectors& force) {
     dampingForceBesideElements(x, v, force);
+    addElementDampingForce(x, v, force);
+  }
+  /// Adds the damping force of elements (Body::setElementDamping).
+  void addElementDampingForce(const NodeVectors& x, const NodeVectors& v, NodeVectors& force) {
     body_.addElementDampingForce(x, v, force, workspace_);
   }
-  /// The same without the damping force of elements (Body::setElementDamping).
+  /// The same without the damping force of elements.
   void dampingForceBesideElements(const NodeVectors& x, const NodeVectors& v, NodeVectors& force) {
     if (damping_.beta != 0) {
       const bool whole = body_.domain().whole();
@@ -81,10 +85,6 @@ class BodySystem final : public DifferentiableSystem {
   /// Takes the masses of the body as they are now; an acceleration that is known of a state holds no longer.
   void followMasses() { inverseMass_ = body_.lumpedMass().cwiseInverse().transpose(); }
   int threads() const override { return body_.threads(); }
-  /// The power that the damping of elements takes, W.
-  double elementDampingPower(const NodeVectors& x, const NodeVectors& v) {
-    return body_.elementDampingPower(x, v, workspace_);
-  }
   bool velocityDependent() const override { return dampedBesideElements() || body_.elementDamping(); }
   const Eigen::VectorXd& mass() const override { return body_.lumpedMass(); }
   RayleighDamping damping() const override { return damping_; }

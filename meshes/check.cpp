@@ -7,7 +7,9 @@
 #include <utility>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/fnv.h>
 #include <ringwatch/base/infinity.h>
+#include <ringwatch/base/sort_unique.h>
 #include <ringwatch/meshes/adjacency.h>
 #include <ringwatch/meshes/check_texts.h>
 #include <ringwatch/meshes/part_of_mesh.h>
@@ -17,6 +19,8 @@ namespace ringwatch {
 namespace {
 
 constexpr double degenerateLimit = 1e-12;  // of the longest edge cubed; slivers of real meshes stay above 1e-8
+
+constexpr double noLength = 1e-9;  // of the longest edge; less is rounding of nodes that lie at one place
 
 enum class Handedness { right, left, neither };
 
@@ -111,9 +115,8 @@ std::string otherOrder(const Mesh& mesh, const ElementInfo& info, const Jacobian
 
 /// That a linear element may be wrong because two of its nodes, which have numbers of their own, lie at one place.
 std::string nodesAtOnePlace(const Mesh& mesh, const ElementInfo& info, const std::int32_t* nodes, double longest) {
-  constexpr double near = 1e-9;  // of the longest edge
   for (const auto& edge : info.edges)
-    if ((mesh.X.col(nodes[edge[1]]) - mesh.X.col(nodes[edge[0]])).norm() <= near * longest)
+    if ((mesh.X.col(nodes[edge[1]]) - mesh.X.col(nodes[edge[0]])).norm() <= noLength * longest)
       return joinText("; its nodes ", nodeId(mesh, nodes[edge[0]]), " and ", nodeId(mesh, nodes[edge[1]]),
                       " lie at one place: `ringwatch mesh repair --join 0` joins such nodes");
   return {};
@@ -245,17 +248,33 @@ void requireSound(Mesh& mesh, const std::string& source, std::vector<std::string
 
 namespace detail {
 
-double distanceOfDoubles(const Mesh& mesh) {
+std::vector<double> distancesOfDoubles(const Mesh& mesh) {
   constexpr double share = 1e-3;
-  double shortest = infinity;
-  for (const MeshBlock& block : mesh.blocks)
-    for (std::size_t e = 0; e < block.elementCount(); ++e)
-      for (const auto& edge : elementInfo(block.type).edges)
-        if (const double length =
-                (mesh.X.col(block.element(e)[edge[1]]) - mesh.X.col(block.element(e)[edge[0]])).norm();
-            length > 0)
-          shortest = std::min(shortest, length);
-  return share * shortest;
+  std::vector<double> shortest(mesh.nodeCount(), infinity);
+  for (const MeshBlock& block : mesh.blocks) {
+    const ElementInfo& info = elementInfo(block.type);
+    const int corners = cornerCount(info);
+    for (std::size_t e = 0; e < block.elementCount(); ++e) {
+      const std::int32_t* nodes = block.element(e);
+      const double least = noLength * longestEdge(info, mesh.X, nodes);
+      for (std::size_t i = 0; i < info.edges.size(); ++i) {
+        const auto& edge = info.edges[i];
+        const double length = (mesh.X.col(nodes[edge[1]]) - mesh.X.col(nodes[edge[0]])).norm();
+        if (!(length > least)) continue;
+        const auto see = [&](int node) { shortest[nodes[node]] = std::min(shortest[nodes[node]], length); };
+        for (const int end : edge) see(end);
+        if (const int middle = corners + static_cast<int>(i); middle < info.nodes) see(middle);
+      }
+    }
+  }
+  for (double& length : shortest) length = length < infinity ? share * length : 0;
+  return shortest;
+}
+
+std::uint64_t CoincidenceGrid::key(int level, std::int64_t i, std::int64_t j, std::int64_t k) {
+  Fnv hash;
+  hash.addNumbers(level, i, j, k);
+  return hash.value();
 }
 
 double leastJacobian(const ElementInfo& info, const NodeVectors& X, const std::int32_t* nodes) {
@@ -327,25 +346,32 @@ std::vector<std::int32_t> firstNodesAtPlaces(const Mesh& mesh, double near, bool
   std::iota(at.begin(), at.end(), 0);
   if (mesh.nodeCount() == 0) return at;
   const std::vector<bool> used = usedNodes(mesh);
-  const Eigen::Vector3d low = mesh.X.rowwise().minCoeff();
-  const CoincidenceGrid grid(low, mesh.X.rowwise().maxCoeff(), std::max(near, distanceOfDoubles(mesh)));
-  if (!grid.exists()) return at;
+  if (!mesh.X.allFinite()) return at;
+  CoincidenceGrid grid(near);
+  std::vector<double> distances = distancesOfDoubles(mesh);
+  std::vector<int> levels;
+  for (std::size_t n = 0; n < distances.size(); ++n) {
+    distances[n] = grid.distance(mesh.X.col(static_cast<Eigen::Index>(n)), distances[n]);
+    if (distances[n] > 0) levels.push_back(CoincidenceGrid::levelOf(distances[n]));
+  }
+  sortUnique(levels);
+  grid.setLevels(std::move(levels));
   std::unordered_map<std::uint64_t, std::int32_t> lastOfCell;
   lastOfCell.reserve(mesh.nodeCount());
   std::vector<std::int32_t> before(mesh.nodeCount(), -1);  // the node of the same cell that was entered before
   for (std::size_t n = 0; n < mesh.nodeCount(); ++n) {
-    if (ofElements && !used[n]) continue;
+    if ((ofElements && !used[n]) || distances[n] == 0) continue;
     const std::int32_t index = n;
+    const Eigen::Vector3d X = mesh.X.col(index);
     // A node is entered in its own cell and sought in all cells that its neighbourhood touches.
-    grid.forEachCellNear(mesh.X.col(index), [&](std::uint64_t cell) {
+    grid.forEachCellNear(X, distances[n], [&](std::uint64_t cell) {
       const auto last = lastOfCell.find(cell);
-      for (std::int32_t other = last == lastOfCell.end() ? -1 : last->second; other >= 0 && at[n] == index;
-           other = before[other])
-        if ((mesh.X.col(other) - mesh.X.col(index)).norm() <= grid.near()) at[n] = other;
-      return at[n] != index;
+      for (std::int32_t other = last == lastOfCell.end() ? -1 : last->second; other >= 0; other = before[other])
+        if ((mesh.X.col(other) - X).norm() <= std::min(distances[other], distances[n])) at[n] = std::min(at[n], other);
+      return false;
     });
     if (at[n] != index) continue;
-    const auto [entry, isNew] = lastOfCell.try_emplace(grid.cellOf(mesh.X.col(index)), index);
+    const auto [entry, isNew] = lastOfCell.try_emplace(grid.cellOf(X, distances[n]), index);
     if (!isNew) before[n] = std::exchange(entry->second, index);
   }
   return at;

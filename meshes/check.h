@@ -38,7 +38,7 @@ std::vector<MeshProblem> checkMesh(const Mesh& mesh);
 
 /// What a user may want to know of a mesh that may be sound all the same, one line each: that it falls into parts, that
 /// parts hang together by an edge or a node alone, and that nodes lie at the same place, closer than a thousandth
-/// of its shortest edge. All nodes of its elements must exist.
+/// of the shortest edge at either. All nodes of its elements must exist.
 std::vector<std::string> meshNotes(const Mesh& mesh, const std::string& source);
 
 /// Makes a mesh fit for computing, or throws. Elements of the other handedness are turned round, and nodes that no

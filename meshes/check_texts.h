@@ -3,8 +3,10 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <ringwatch/meshes/check.h>
@@ -39,8 +41,8 @@ std::string_view programOfOrder(const ElementInfo& info, const std::vector<int>&
 /// go round, as VTK's voxels do, in our order; empty for another element. probe: of its type.
 std::vector<std::int32_t> nodesOutOfRows(const Mesh& mesh, const ElementInfo& info, const JacobianProbe& probe,
                                          const std::int32_t* nodes);
-/// For each node the first one that lies closer to it than `near` (m) or distanceOfDoubles(), itself where none does.
-/// ofElements: only nodes of elements count.
+/// For each node the first one that lies closer to it than `near` (m) or where distancesOfDoubles() says that both are
+/// at one place, itself where none does. ofElements: only nodes of elements count.
 std::vector<std::int32_t> firstNodesAtPlaces(const Mesh& mesh, double near, bool ofElements);
 /// The least Jacobian determinant of a sound element, m³.
 double leastJacobian(const ElementInfo& info, const NodeVectors& X, const std::int32_t* nodes);
@@ -65,44 +67,56 @@ HangingNodes hangingNodes(const Mesh& mesh, std::size_t nodes);
 std::string hangingNote(const std::string& source, std::int64_t count, std::int64_t firstId);
 std::string coincidenceNote(const std::string& source, std::int64_t count, std::int64_t firstId, std::int64_t secondId);
 
-/// The distance, m, up to which nodes lie at one place: a thousandth of the shortest edge that has a length, infinite
-/// where none has. Files of six digits or in single precision have twice the same node so far apart, and no sound
-/// element two of its own.
-double distanceOfDoubles(const Mesh& mesh);
-/// Cells of space in which nodes are sought that lie closer to each other than `near` or 1e-9 of the diagonal of the
-/// bounding box.
+/// The distance, m, up to which another node lies at the place of each: a thousandth of the shortest edge there that
+/// has a length, more than a billionth of its element's longest; 0 where none has. Two nodes lie at one place where
+/// both say so. Files of six digits or in single precision have twice the same node so far apart, and no sound element
+/// two of its own.
+std::vector<double> distancesOfDoubles(const Mesh& mesh);
+/// Cells of space in which nodes are sought that lie at one place: cells of several sizes, since elements are.
 class CoincidenceGrid {
  public:
-  /// low, high: corners of the box, m.
-  CoincidenceGrid(const Eigen::Vector3d& low, const Eigen::Vector3d& high, double near)
-      : low_(low),
-        diagonal_((high - low).norm()),
-        near_(std::max(1e-9 * diagonal_, near)),
-        cell_(std::max(1e-6 * diagonal_, 2 * near_)) {}
-  /// False for a box without a size, and without edges.
-  bool exists() const { return near_ > 0 && std::isfinite(diagonal_ + near_); }
-  /// m
-  double near() const { return near_; }
-  std::uint64_t cellOf(const Eigen::Vector3d& X) const { return key(at(X, 0, 0), at(X, 1, 0), at(X, 2, 0)); }
-  /// Calls visit(cell) for all cells that the neighbourhood of a place touches, until it returns true.
+  /// near: m, up to which nodes lie at one place in any case. Without levels.
+  explicit CoincidenceGrid(double near) : near_(near) {}
+  /// Up to which distance, m, others lie at the place of a node, of which distancesOfDoubles() gives the last argument:
+  /// no less than rounding of its coordinates.
+  double distance(const Eigen::Vector3d& X, double ofDoubles) const {
+    constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
+    return std::max({near_, rounding * X.cwiseAbs().maxCoeff(), ofDoubles});
+  }
+  /// The size of the cells that a node of this distance is entered in; none for distance 0.
+  static int levelOf(double distance) { return static_cast<int>(std::floor(std::logb(distance) / doublings)); }
+  /// The levels of all nodes that are entered.
+  void setLevels(std::vector<int> levels) { levels_ = std::move(levels); }
+
+  /// A number for the cell that a node is entered in. Cells that lie apart may have the same one.
+  std::uint64_t cellOf(const Eigen::Vector3d& X, double distance) const {
+    const int level = levelOf(distance);
+    return key(level, at(level, X, 0, 0), at(level, X, 1, 0), at(level, X, 2, 0));
+  }
+  /// Calls visit(cell) for all cells in which nodes at the place of one may have been entered, until it returns true.
   template <class Visit>
-  void forEachCellNear(const Eigen::Vector3d& X, const Visit& visit) const {
-    for (std::uint64_t i = at(X, 0, -near_); i <= at(X, 0, near_); ++i)
-      for (std::uint64_t j = at(X, 1, -near_); j <= at(X, 1, near_); ++j)
-        for (std::uint64_t k = at(X, 2, -near_); k <= at(X, 2, near_); ++k)
-          if (visit(key(i, j, k))) return;
+  void forEachCellNear(const Eigen::Vector3d& X, double distance, const Visit& visit) const {
+    for (const int level : levels_) {
+      const double reach = std::min(distance, mostOf(level));
+      for (std::int64_t i = at(level, X, 0, -reach); i <= at(level, X, 0, reach); ++i)
+        for (std::int64_t j = at(level, X, 1, -reach); j <= at(level, X, 1, reach); ++j)
+          for (std::int64_t k = at(level, X, 2, -reach); k <= at(level, X, 2, reach); ++k)
+            if (visit(key(level, i, j, k))) return;
+    }
   }
 
  private:
-  /// Cells are numbered from 1 to 1e6 + 1 along each axis, 21 bits.
-  std::uint64_t at(const Eigen::Vector3d& X, int axis, double offset) const {
-    return static_cast<std::uint64_t>(std::floor((X[axis] - low_[axis] + offset) / cell_) + 1);
+  /// From level to level distances are 2^6 times as large: a thousandth of an edge stays well below an edge.
+  static constexpr int doublings = 6;
+  static double mostOf(int level) { return std::ldexp(1, doublings * (level + 1)); }
+  /// Cells are twice as large as the largest distance of their level, so that few nodes lie near their faces.
+  std::int64_t at(int level, const Eigen::Vector3d& X, int axis, double offset) const {
+    return static_cast<std::int64_t>(std::floor((X[axis] + offset) / (2 * mostOf(level))));
   }
-  static std::uint64_t key(std::uint64_t i, std::uint64_t j, std::uint64_t k) { return i << 42 | j << 21 | k; }
+  static std::uint64_t key(int level, std::int64_t i, std::int64_t j, std::int64_t k);
 
-  Eigen::Vector3d low_;
-  double diagonal_, near_;
-  double cell_;  // larger than near_, so that few nodes lie near its faces, and smaller than elements
+  double near_;
+  std::vector<int> levels_;
 };
 
 }  // namespace ringwatch::detail

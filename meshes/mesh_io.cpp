@@ -9,6 +9,7 @@
 #include <ringwatch/meshes/formats/file_cursor.h>
 #include <ringwatch/meshes/formats/mesh_readers.h>
 #include <ringwatch/meshes/modify/repair.h>
+#include <ringwatch/meshes/part_of_mesh.h>
 
 namespace ringwatch {
 namespace {
@@ -152,18 +153,32 @@ Mesh loadMesh(const fs::path& path, std::vector<std::string>* notes, bool repair
 MeshState readVtuState(const fs::path& path, const std::string& displacement, std::vector<std::string>* notes) {
   const std::string text = detail::readWholeFile(path);
   detail::refuseForeignStates(path, text);
+  if (text.starts_with("# vtk DataFile")) {
+    detail::ResultFrame frame = detail::readLegacyVtkResult(path, text, {displacement}, notes);
+    if (!frame.u) throw InputError(path.string() + ": " + detail::noField(displacement, frame.vectors));
+    if (!frame.u->allFinite() || !frame.mesh.X.allFinite())
+      throw InputError(joinText(path.string(), ": the points or ", detail::quoted(displacement), " are not finite"));
+    NodeVectors x = frame.mesh.X + *frame.u;
+    return {detail::standingMesh(std::move(frame), path.string(), notes), std::move(x)};
+  }
   if (!startsWithXml(text))
-    throw InputError(path.string() + ": displacements are read from .vtu files only; this is another format");
+    throw InputError(path.string() + ": displacements are read from .vtu and .vtk files; this is another format");
   return detail::readVtuState(path, text, displacement, notes);
 }
 
 MeshState loadVtuState(const fs::path& path, const std::string& displacement, std::vector<std::string>* notes) {
   MeshState state = readVtuState(path, displacement, notes);
+  const std::vector<bool> used = usedNodes(state.mesh);
   requireSound(state.mesh, path.string(), notes);
+  std::vector<Eigen::Index> kept;  // nodes of no element are dropped
+  for (std::size_t n = 0; n < used.size(); ++n)
+    if (used[n]) kept.push_back(static_cast<Eigen::Index>(n));
+  state.x = NodeVectors(state.x(Eigen::all, kept));
   return state;
 }
 
-std::vector<MeshProblem> checkMeshFile(const fs::path& path, std::vector<std::string>* notes) {
+std::vector<MeshProblem> checkMeshFile(const fs::path& path, std::vector<std::string>* notes,
+                                       std::vector<std::string>* ofMesh) {
   std::vector<MeshProblem> problems;
   Mesh mesh = read(path, notes, &problems);
   for (MeshProblem& problem : detail::turnAndCheck(mesh, path.string(), notes)) {
@@ -175,8 +190,7 @@ std::vector<MeshProblem> checkMeshFile(const fs::path& path, std::vector<std::st
   const bool complete = std::none_of(problems.begin(), problems.end(), [](const MeshProblem& problem) {
     return problem.kind == MeshProblem::Kind::missingNode || problem.kind == MeshProblem::Kind::nonFinite;
   });
-  if (notes != nullptr && complete)
-    for (std::string& note : meshNotes(mesh, path.string())) notes->push_back(std::move(note));
+  if (ofMesh != nullptr && complete) *ofMesh = meshNotes(mesh, path.string());
   return problems;
 }
 

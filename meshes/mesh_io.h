@@ -60,9 +60,10 @@ struct MeshState {
   Mesh mesh;
   NodeVectors x;  // 3×N, m
 };
-/// Reads a mesh and a state from a .vtu file by a displacement (m) at its points: positions are points + displacement.
-/// Frames of a run hold deformed points, and say so: there the points are the positions, and the mesh at rest is points
-/// - displacement. The mesh is checked as by `loadMesh`. Throws InputError: as readMesh, for a file that is not .vtu,
+/// Reads a mesh and a state from a .vtu or legacy .vtk file by a displacement (m) at its points: positions are points +
+/// displacement. Frames of a run hold deformed points, and say so: there the points are the positions, and the mesh at
+/// rest is points
+/// - displacement. The mesh is checked as by `loadMesh`. Throws InputError: as readMesh, for a file of another format,
 /// and for a field that is missing (lists the fields of three components), has other than three components, or is not
 /// finite.
 MeshState loadVtuState(const std::filesystem::path& path, const std::string& displacement,
@@ -72,8 +73,9 @@ MeshState readVtuState(const std::filesystem::path& path, const std::string& dis
                        std::vector<std::string>* notes = nullptr);
 
 /// Every problem of a mesh file. Throws InputError where the file cannot be parsed at all; missing nodes and non-finite
-/// coordinates are listed with their line.
-std::vector<MeshProblem> checkMeshFile(const std::filesystem::path& path, std::vector<std::string>* notes = nullptr);
+/// coordinates are listed with their line. ofMesh: becomes meshNotes(); notes are those of reading it.
+std::vector<MeshProblem> checkMeshFile(const std::filesystem::path& path, std::vector<std::string>* notes = nullptr,
+                                       std::vector<std::string>* ofMesh = nullptr);
 
 /// The formats that `writeMesh` knows.
 enum class MeshFormat { byExtension, msh41, msh41Binary, msh22, msh22Binary, vtu };

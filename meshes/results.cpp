@@ -8,11 +8,11 @@
 #include <string>
 
 #include <ringwatch/base/error.h>
-#include <ringwatch/base/sort_unique.h>
 #include <ringwatch/meshes/formats/file_cursor.h>
 #include <ringwatch/meshes/formats/mesh_readers.h>
 #include <ringwatch/meshes/mesh_io.h>
 #include <ringwatch/meshes/number_index.h>
+#include <ringwatch/meshes/part_of_mesh.h>
 
 namespace ringwatch {
 namespace {
@@ -58,9 +58,26 @@ detail::ResultFrame readFrame(const fs::path& file, const std::vector<std::strin
   return detail::readVtuResult(file, text, names, notes);
 }
 
+/// States that tell numbers of their nodes or elements where the first one tells none, or none where it tells some.
+struct UnlikeFirst {
+  std::string of;  // what the numbers are of
+  bool firstHas;
+  std::size_t count = 0;
+  std::string where = {};  // the first such state
+  void see(bool has, const fs::path& path) {
+    if (has != firstHas && count++ == 0) where = path.string();
+  }
+  std::string note(std::size_t states) const {
+    return joinText(where, ": tells ", firstHas ? "no numbers" : "numbers", " of its ", of,
+                    ", which the first state does", firstHas ? "" : " not", ": in ", count, " of ", states, " states ",
+                    of, " are matched by their place in the file");
+  }
+};
+
 /// Puts positions, displacements and deleted elements of a state in the order of the first one's, by the numbers of
 /// nodes and elements where both have some. Throws InputError where they are not the same.
-void orderAs(const Mesh& first, detail::ResultFrame& frame, const std::string& where) {
+void orderAs(const Mesh& first, bool nodesHaveNumbers, bool elementsHaveNumbers, detail::ResultFrame& frame,
+             const std::string& where) {
   const auto refuse = [&](const auto&... what) {
     throw InputError(joinText(where, ": ", what..., "; every state must have the same"));
   };
@@ -69,7 +86,7 @@ void orderAs(const Mesh& first, detail::ResultFrame& frame, const std::string& w
     refuse("has ", mesh.nodeCount(), " nodes and ", mesh.elementCount(), " elements, the first state ",
            first.nodeCount(), " and ", first.elementCount());
   NumberIndex numbers(mesh);
-  const bool nodesByNumber = !first.nodeIds.empty() && !mesh.nodeIds.empty() && first.nodeIds != mesh.nodeIds;
+  const bool nodesByNumber = nodesHaveNumbers && frame.nodesHaveNumbers && first.nodeIds != mesh.nodeIds;
   std::vector<std::int32_t> order(first.nodeCount()), inFirst(first.nodeCount());
   for (std::int32_t i = 0; i < static_cast<std::int32_t>(order.size()); ++i) {
     const auto node = nodesByNumber ? numbers.node(first.nodeId(i)) : i;
@@ -77,8 +94,7 @@ void orderAs(const Mesh& first, detail::ResultFrame& frame, const std::string& w
     order[static_cast<std::size_t>(i)] = *node;
     inFirst[static_cast<std::size_t>(*node)] = i;
   }
-  const auto numbered = [](const MeshBlock& block) { return !block.ids.empty(); };
-  const bool byNumber = std::ranges::all_of(first.blocks, numbered) && std::ranges::all_of(mesh.blocks, numbered);
+  const bool byNumber = elementsHaveNumbers && frame.elementsHaveNumbers;
   std::vector<std::vector<bool>> deleted;
   for (std::size_t b = 0; b < first.blocks.size(); ++b) {
     const MeshBlock& block = first.blocks[b];
@@ -105,34 +121,50 @@ void orderAs(const Mesh& first, detail::ResultFrame& frame, const std::string& w
   if (frame.u) frame.u = NodeVectors((*frame.u)(Eigen::all, order));
 }
 
-/// Whole numbers that differ; empty for others.
-std::vector<std::int64_t> differentNumbers(const std::vector<double>& values) {
+/// Takes the numbers of nodes or elements that a field has: whole ones that differ. Else a note says why they are not
+/// taken. notes: or nullptr.
+std::vector<std::int64_t> differentNumbers(const std::string& field, const std::vector<double>& values,
+                                           const std::string& source, std::vector<std::string>* notes) {
+  const auto leaveOut = [&](const auto&... why) {
+    if (notes != nullptr)
+      notes->push_back(
+          joinText(source, ": the numbers of ", field, " are not taken, ", why..., "; those of the file's order are"));
+    return std::vector<std::int64_t>();
+  };
   std::vector<std::int64_t> numbers;
   for (const double value : values) {
     constexpr double largest = 9007199254740992;  // up to which a double holds every whole number
-    if (!(std::abs(value) <= largest) || value != std::floor(value)) return {};
+    if (!(std::abs(value) <= largest) || value != std::floor(value)) return leaveOut(value, " is not a whole one");
     numbers.push_back(static_cast<std::int64_t>(value));
   }
   std::vector<std::int64_t> sorted = numbers;
-  sortUnique(sorted);
-  return sorted.size() == numbers.size() ? numbers : std::vector<std::int64_t>();
+  std::ranges::sort(sorted);
+  if (const auto twice = std::ranges::adjacent_find(sorted); twice != sorted.end())
+    return leaveOut(*twice, " stands ", std::ranges::count(sorted, *twice), " times");
+  return numbers;
 }
 
 }  // namespace
 
-void detail::takeNodeNumbers(ResultFrame& frame, const std::vector<double>& values) {
-  if (std::vector<std::int64_t> numbers = differentNumbers(values); numbers.size() == frame.mesh.nodeCount())
+void detail::takeNodeNumbers(ResultFrame& frame, const std::vector<double>& values, const std::string& source,
+                             Notes* notes) {
+  if (values.size() != frame.mesh.nodeCount()) return;
+  if (std::vector<std::int64_t> numbers = differentNumbers(nodeNumberField, values, source, notes); !numbers.empty()) {
     frame.mesh.nodeIds = std::move(numbers);
+    frame.nodesHaveNumbers = true;
+  }
 }
 
-void detail::takeCellField(ResultFrame& frame, const std::string& name, const std::vector<double>& values) {
+void detail::takeCellField(ResultFrame& frame, const std::string& name, const std::vector<double>& values,
+                           const std::string& source, Notes* notes) {
   if (values.size() != frame.mesh.elementCount()) return;
   const bool numbers = name == "ELEMENT_ID", eroded = name == "EROSION_STATUS", status = name == "STATUS";
   const auto isFlag = [](double value) { return value == 0 || value == 1; };
   std::vector<std::int64_t> ids;
-  if (numbers && (ids = differentNumbers(values)).empty()) return;
+  if (numbers && (ids = differentNumbers(name, values, source, notes)).empty()) return;
   if (!numbers && !eroded && !(status && std::ranges::all_of(values, isFlag))) return;
   if (!numbers) frame.deleted.clear();
+  frame.elementsHaveNumbers = frame.elementsHaveNumbers || numbers;
   std::size_t first = 0;
   for (MeshBlock& block : frame.mesh.blocks) {
     const std::size_t count = block.elementCount();
@@ -145,6 +177,30 @@ void detail::takeCellField(ResultFrame& frame, const std::string& name, const st
     }
     first += count;
   }
+}
+
+bool detail::mayTellOfElements(std::string_view text) {
+  const auto has = [&](std::string_view name) { return text.find(name) != std::string_view::npos; };
+  return has(nodeNumberField) || std::ranges::any_of(resultFields, has);
+}
+
+Mesh detail::standingMesh(ResultFrame frame, const std::string& source, Notes* notes) {
+  std::size_t deleted = 0;
+  for (std::vector<bool>& block : frame.deleted) {
+    deleted += static_cast<std::size_t>(std::ranges::count(block, true));
+    block.flip();
+  }
+  if (deleted == 0) return std::move(frame.mesh);
+  const std::size_t all = frame.mesh.elementCount();
+  if (deleted == all) throw InputError(joinText(source, ": all ", all, " elements are deleted, by their status"));
+  if (notes != nullptr)
+    notes->push_back(joinText(source, ": ", deleted, " of ", all, deleted == 1 ? " elements is" : " elements are",
+                              " deleted, by the status that the file tells, and left out with their mass"));
+  Mesh standing = meshOfElements(frame.mesh, frame.deleted);
+  standing.X = std::move(frame.mesh.X);
+  standing.nodeIds = std::move(frame.mesh.nodeIds);
+  standing.nodeSets = std::move(frame.mesh.nodeSets);
+  return standing;
 }
 
 std::vector<PvdEntry> readPvd(const fs::path& file) {
@@ -229,19 +285,21 @@ void ResultSeries::openFrames(const std::vector<VtkFile>& frames, const std::str
   detail::ResultFrame first = readFrame(frames.front().path, names, notes);
   displacement_ = first.displacement;
   if (!first.u && !displacement.empty())
-    throw InputError(joinText(frames.front().path.string(), ": no field ", detail::quoted(displacement),
-                              " of three components; ",
-                              first.vectors.empty() ? "there are none at the points" : "there are " + first.vectors));
+    throw InputError(joinText(frames.front().path.string(), ": ", detail::noField(displacement, first.vectors)));
   mesh_ = std::move(first.mesh);
   if (first.deformedPoints && first.u) mesh_.X -= *first.u;
   bool moved = first.u.has_value();
-  const auto readInOrder = [this, names](const fs::path& path) {
+  const bool nodesHaveNumbers = first.nodesHaveNumbers, elementsHaveNumbers = first.elementsHaveNumbers;
+  const auto readInOrder = [this, names, nodesHaveNumbers, elementsHaveNumbers](const fs::path& path) {
     detail::ResultFrame frame = readFrame(path, names, nullptr);
-    orderAs(mesh_, frame, path.string());
+    orderAs(mesh_, nodesHaveNumbers, elementsHaveNumbers, frame, path.string());
     return frame;
   };
+  UnlikeFirst nodes{"nodes", nodesHaveNumbers}, elements{"elements", elementsHaveNumbers};
   for (const VtkFile& file : frames) {
     const detail::ResultFrame frame = readInOrder(file.path);
+    nodes.see(frame.nodesHaveNumbers, file.path);
+    elements.see(frame.elementsHaveNumbers, file.path);
     moved = moved || frame.mesh.X != mesh_.X;
     entries_.push_back({file.time ? file.time : frame.time, frame.increment, file.path.string()});
     deleted_.push_back(frame.deleted);
@@ -251,6 +309,9 @@ void ResultSeries::openFrames(const std::vector<VtkFile>& frames, const std::str
                               ": the points of all states are the same, and there is none of the fields ",
                               "displacement, U and so on; name it by --displacement",
                               first.vectors.empty() ? "" : ", one of " + first.vectors));
+  if (notes != nullptr)
+    for (const UnlikeFirst* unlike : {&nodes, &elements})
+      if (unlike->count > 0) notes->push_back(unlike->note(frames.size()));
   if (!first.u && notes != nullptr)
     notes->push_back(
         "there is no displacement: the points are taken for positions, and those of the first state for "

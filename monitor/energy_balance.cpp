@@ -41,7 +41,7 @@ EnergyBalance::EnergyBalance(const Body& body)
   work_ = dissipated_ = Eigen::VectorXd::Zero(body.domain().whole() ? 1 : std::max(owned_, 2));
 }
 
-void EnergyBalance::record(const NodeVectors& x, const NodeVectors& internalForce) {
+void EnergyBalance::record(const NodeVectors& x, const NodeVectors& resistingForce) {
   const Constraints& constraints = body_.constraints();
   if (!started_) {
     firstX_ = x;
@@ -52,16 +52,16 @@ void EnergyBalance::record(const NodeVectors& x, const NodeVectors& internalForc
       const std::int64_t i = constraints.components()[k];
       if (constraints.velocity().data()[i] == 0 || i / 3 >= owned_) continue;
       double& work = work_[place(i / 3)];
-      work = std::fma(meanRate(supported_[k].force, internalForce.data()[i]), x.data()[i] - supported_[k].x, work);
+      work = std::fma(meanRate(supported_[k].force, resistingForce.data()[i]), x.data()[i] - supported_[k].x, work);
     }
   }
   if (!constraints.moving()) return;
-  recordGuided(x, internalForce);
+  recordGuided(x, resistingForce);
   supported_.clear();
-  for (const std::int64_t i : constraints.components()) supported_.push_back({x.data()[i], internalForce.data()[i]});
+  for (const std::int64_t i : constraints.components()) supported_.push_back({x.data()[i], resistingForce.data()[i]});
 }
 
-void EnergyBalance::recordGuided(const NodeVectors& x, const NodeVectors& internalForce) {
+void EnergyBalance::recordGuided(const NodeVectors& x, const NodeVectors& resistingForce) {
   using Eigen::Vector3d, Eigen::Matrix3d;
   std::vector<Guided> before = std::move(guided_);
   guided_.clear();
@@ -72,7 +72,7 @@ void EnergyBalance::recordGuided(const NodeVectors& x, const NodeVectors& intern
     if (!guide.any()) continue;
     const Vector3d point = body.point(x);
     const Matrix3d rotation = body.rotation(x);
-    const RigidBody::Load inside = body.loadAbout(point, x, internalForce),
+    const RigidBody::Load inside = body.loadAbout(point, x, resistingForce),
                           outside = body.loadAbout(point, x, body_.externalForce());
     Vector3d::Map(own.point.data()) = point;
     Matrix3d::Map(own.rotation.data()) = rotation;
@@ -89,34 +89,21 @@ void EnergyBalance::recordGuided(const NodeVectors& x, const NodeVectors& intern
   }
 }
 
-Eigen::VectorXd EnergyBalance::power(const NodeVectors& a, const NodeVectors& b) const {
+Eigen::VectorXd EnergyBalance::products(const NodeVectors& a, const NodeVectors& b) const {
   if (body_.domain().whole()) return Eigen::VectorXd::Constant(1, dot(a, b, body_.threads()));
   Eigen::VectorXd ofNode = Eigen::VectorXd::Zero(work_.size());
   for (std::int32_t i = 0; i < owned_; ++i) ofNode[i] = dotAt(a, b, i);
   return ofNode;
 }
 
-void EnergyBalance::recordDamping(double time, const NodeVectors& x, const NodeVectors& v,
-                                  const NodeVectors& dampingForce, double inForce) {
-  const Constraints& constraints = body_.constraints();
-  DampingPower now{time, power(dampingForce, v), Eigen::VectorXd::Zero(work_.size())};
-  now.all[0] += inForce;
-  if (constraints.moving()) {
-    now.atSupports = power(dampingForce, constraints.velocity());
-    for (const RigidBody& body : constraints.rigidBodies()) {
-      if (!body.guide().moves()) continue;
-      const RigidBody::Load load = body.loadAbout(body.point(x), x, dampingForce);
-      now.atSupports[0] += load.force.dot(body.guide().velocity) + load.torque.dot(body.guide().angularVelocity);
-    }
+void EnergyBalance::recordDamping(const NodeVectors& x, const NodeVectors& dampingForce) {
+  if (dampedX_.cols() == x.cols()) {
+    const NodeVectors moved = x - dampedX_;
+    const Eigen::VectorXd before = products(dampingForce_, moved), now = products(dampingForce, moved);
+    for (Eigen::Index i = 0; i < dissipated_.size(); ++i) dissipated_[i] += meanRate(before[i], now[i]);
   }
-  if (damping_) {
-    const double passed = time - damping_->time;
-    for (Eigen::Index i = 0; i < work_.size(); ++i) {
-      dissipated_[i] = std::fma(passed, meanRate(damping_->all[i], now.all[i]), dissipated_[i]);
-      work_[i] = std::fma(passed, meanRate(damping_->atSupports[i], now.atSupports[i]), work_[i]);
-    }
-  }
-  damping_ = std::move(now);
+  dampedX_ = x;
+  dampingForce_ = dampingForce;
 }
 
 void EnergyBalance::recordObstacles(double time, const DiscreteForces::ObstaclePower& power) {

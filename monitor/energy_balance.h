@@ -23,9 +23,14 @@ double roundingEnergy(const Body& body);
 
 /// The energy balance of a run. Prescribed motion does work ∫ f · dx, f the internal force at moved nodes, summed by
 /// the trapezoidal rule, and along the guide of a rigid body that of the forces on it; dead forces do f · (x - x at the
-/// start). Damping takes ∫ v · C v dt, by the same rule; what of it acts at moved nodes their support has to bring up,
-/// as work of its own. Moving obstacles do work on the nodes that they touch, of which what goes through damping and
-/// friction is dissipated by their velocity against the nodes.
+/// start). Damping takes ∫ d · dx, d the damping force, by the same rule; what of it acts at moved nodes their support
+/// has to bring up, as part of the force there. Moving obstacles do work on the nodes that they touch, of which what
+/// goes through damping and friction is dissipated by their velocity against the nodes.
+///
+/// Central differences, whose kicks over h change velocities by -h M⁻¹ (f + d) from v₋ to v₊, take h d · (v₋ + v₊)/2 in
+/// a kick. With half of the kick before a state and half after it, that is this trapezoidal rule, since x moves by h v₊
+/// between two states. So where f is linear ½ v₋ · M v₊ + strain energy + dissipated - external work stays the same to
+/// rounding, whatever the damping.
 ///
 /// Of a part of a body (body/domain.h) it is that of the whole: works are summed along the run at each own node, and
 /// over nodes exactly (Theorem 84, docs/theory/distribution.md), so that energies have the same bits for any partition.
@@ -33,16 +38,14 @@ class EnergyBalance {
  public:
   explicit EnergyBalance(const Body& body);
 
-  /// Adds a state with its internal force (3×N, N), which is read only where motion is prescribed. Call it at every
-  /// step then, else whenever wanted; the first call is the start.
-  void record(const NodeVectors& x, const NodeVectors& internalForce);
-  /// Adds a time (s) with positions x, velocities v (3×N, m and m/s) and the damping force C v (3×N, N) there. Call it
-  /// at every step of a damped run. inForce: power, W, of damping that is part of the internal force of record(), and
-  /// of the work at supports with it.
-  void recordDamping(double time, const NodeVectors& x, const NodeVectors& v, const NodeVectors& dampingForce,
-                     double inForce = 0);
-  /// Adds a time (s) with the power of moving obstacles there. Call it at every step of a run with them, as
-  /// recordDamping.
+  /// Adds a state with its internal and damping force (3×N, N), which is read only where motion is prescribed. Call it
+  /// at every step then, else whenever wanted; the first call is the start.
+  void record(const NodeVectors& x, const NodeVectors& resistingForce);
+  /// Adds positions (3×N, m) with the damping force there (3×N, N), as the integrator's kicks have it. Call it at every
+  /// step of a damped run.
+  void recordDamping(const NodeVectors& x, const NodeVectors& dampingForce);
+  /// Adds a time (s) with the power of moving obstacles there, at the velocities of the kicks. Call it at every step of
+  /// a run with them.
   void recordObstacles(double time, const DiscreteForces::ObstaclePower& power);
   /// Adds work, J, by a node, that record() does not know of.
   void addWork(std::int32_t node, double work) {
@@ -56,16 +59,16 @@ class EnergyBalance {
 
   template <class Archive>
   void archive(Archive& a) {
-    a(started_, hasReference_, work_, dissipated_, referenceEnergy_, damping_, obstacles_, firstX_, supported_,
-      guided_);
+    a(started_, hasReference_, work_, dissipated_, referenceEnergy_, dampedX_, dampingForce_, obstacles_, firstX_,
+      supported_, guided_);
   }
 
  private:
-  void recordGuided(const NodeVectors& x, const NodeVectors& internalForce);
+  void recordGuided(const NodeVectors& x, const NodeVectors& resistingForce);
 
   std::int32_t place(std::int64_t node) const { return work_.size() > 1 ? static_cast<std::int32_t>(node) : 0; }
   /// Σ a·b over nodes, by place.
-  Eigen::VectorXd power(const NodeVectors& a, const NodeVectors& b) const;
+  Eigen::VectorXd products(const NodeVectors& a, const NodeVectors& b) const;
   /// energies() but for the balance error.
   Energies sums(const NodeVectors& x, const NodeVectors& v, double strainEnergy) const;
   Energies sumsOfParts(const NodeVectors& x, const NodeVectors& v) const;
@@ -75,16 +78,7 @@ class EnergyBalance {
   bool started_ = false, hasReference_ = false;
   double referenceEnergy_ = 0;
   Eigen::VectorXd work_, dissipated_;  // J, of all nodes together or, of a part, of each own one
-  struct DampingPower {
-    double time = 0;
-    Eigen::VectorXd all, atSupports;  // W, likewise
-
-    template <class Archive>
-    void archive(Archive& a) {
-      a(time, all, atSupports);
-    }
-  };
-  std::optional<DampingPower> damping_;  // of the last record
+  NodeVectors dampedX_, dampingForce_;  // of the last record; empty before it
   struct ObstaclePowerAt {
     double time;
     DiscreteForces::ObstaclePower power;

@@ -37,6 +37,13 @@ constexpr std::string_view honestLimit =
     "element "
     "tangents over (docs/embedding.md). Between two states nothing is proven.";
 
+/// What is said of a state where something is wrong, in the conclusion and of its test case.
+constexpr std::string_view stepIsUnstable = "the step is proven unstable", stateIsLost = "the state is lost",
+                           elementIsInverted = "an element is inverted",
+                           tangentIsIndefinite = "the tangent is indefinite",
+                           stepIsOpen = "the step is neither proven stable nor unstable",
+                           stepIsUnknown = "the results do not tell which step was taken; --step h holds one against";
+
 Scene sceneOfAudit(const AuditOptions& options) {
   if (!options.scene.empty()) {
     std::vector<std::string> overrides;
@@ -374,14 +381,13 @@ class AuditReport {
       return state.violated() ? *state.step / state.bracket->optimistic : 0;
     };
     const AuditedState& worst = *std::ranges::max_element(states_, {}, excess);
-    tell("the step is proven unstable", &AuditedState::violated,
+    tell(stepIsUnstable, &AuditedState::violated,
          fmt::format(", at worst {:.3g} times the largest that may be stable, in {}", excess(worst), nameOf(worst)));
-    tell("all is lost", &AuditedState::lost, "");
-    tell("an element is inverted", &AuditedState::inverted, "");
-    tell("the tangent is indefinite", &AuditedState::indefinite, "");
+    tell(stateIsLost, &AuditedState::lost, "");
+    tell(elementIsInverted, &AuditedState::inverted, "");
+    tell(tangentIsIndefinite, &AuditedState::indefinite, "");
     tell(
-        "the step is neither proven stable nor unstable",
-        [](const AuditedState& s) { return s.verdict() == Verdict::notCertified && !s.indefinite(); }, "");
+        stepIsOpen, [](const AuditedState& s) { return s.verdict() == Verdict::notCertified && !s.indefinite(); }, "");
     return text;
   }
 
@@ -390,8 +396,7 @@ class AuditReport {
     Json& steps = result.json["steps"] = nullptr;
     const std::string wrong = whatIsWrong();
     result.json["conclusion"] =
-        wrong + (known ? "no step is proven stable"
-                       : "the results do not tell which step was taken; --step h holds one against the brackets");
+        wrong + (known ? "no step is proven stable" : fmt::format("{} the brackets", stepIsUnknown));
     const AuditedState* closest = nullptr;
     double largest = 0, least = infinity;
     for (const AuditedState& state : states_) {
@@ -455,22 +460,21 @@ std::string junitText(const Json& audit) {
   for (const Json& state : audit["history"]) {
     const auto verdict = state["verdict"].get<std::string>();
     std::vector<std::string> faults;
-    if (verdict == "lost")
-      faults.push_back(state.contains("why") ? "lost, " + state["why"].get<std::string>() : "lost");
-    if (verdict == "violated") faults.push_back("the step is proven unstable");
-    if (state["inverted"]) faults.push_back("an element is inverted");
-    if (state["indefinite"] && verdict != "-") faults.push_back("the tangent is indefinite");
-    if (verdict == "not-certified" && faults.empty())
-      faults.push_back("the step is neither proven stable nor unstable");
+    if (verdict == "lost") {
+      faults.emplace_back(stateIsLost);
+      if (state.contains("why")) faults.push_back(state["why"].get<std::string>());
+    }
+    if (verdict == "violated") faults.emplace_back(stepIsUnstable);
+    if (state["inverted"]) faults.emplace_back(elementIsInverted);
+    if (state["indefinite"] && verdict != "-") faults.emplace_back(tangentIsIndefinite);
+    if (verdict == "not-certified" && !state["indefinite"]) faults.emplace_back(stepIsOpen);
     const std::string fault = fmt::format("{}", fmt::join(faults, ", "));
     cases += fmt::format("  <testcase classname=\"ringwatch.audit\" name=\"state {}, {}\"", state["state"].get<int>(),
                          markupText(state["where"].get<std::string>()));
     if (fault.empty() && verdict == "-") {
       ++skipped;
-      cases += fmt::format(
-          ">\n    <skipped message=\"the results do not tell which step was taken; --step h holds one against the safe "
-          "one, {} s\"/>\n  </testcase>\n",
-          state["safe"].dump());
+      cases += fmt::format(">\n    <skipped message=\"{} the safe one, {} s\"/>\n  </testcase>\n", stepIsUnknown,
+                           state["safe"].dump());
       continue;
     }
     std::string step = state["step"].is_null() ? "" : fmt::format("step {} s", state["step"].dump());

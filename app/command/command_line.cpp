@@ -14,6 +14,7 @@
 #include <ringwatch/app/run/run_result.h>
 #include <ringwatch/app/scene/scene_keys.h>
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/leftovers.h>
 #include <ringwatch/base/nearest_name.h>
 #include <ringwatch/base/user_text.h>
 
@@ -99,6 +100,7 @@ int runCommandLine(int argc, char** argv, const RankProgram* ranks) {
   keepMemoryInReserve();
   holdStandardStreams();
   reportFileSizeLimit();
+  removeLeftoversOnSignals();
   const auto status = [&] {
     try {
       ExitStatus result = ExitStatus::done;

@@ -39,7 +39,7 @@ struct InspectCommand final : Command {
     command->add_flag("--repair", options.repair, "mend the mesh first, as ringwatch mesh repair does");
     command
         ->add_option("--displacement", options.displacement,
-                     "field of displacements, m, in a .vtu file: inspect that deformed state")
+                     "field of displacements, m, in a .vtu or .vtk file: inspect that deformed state")
         ->type_name("FIELD");
     command->add_option("--frame", options.frame,
                         "inspect this frame of a run, counted from 1; material, supports, integrator and damping are "

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 
 #include <ringwatch/app/command/command.h>
@@ -148,6 +149,16 @@ struct MeshCommand final : Command {
     return kinds;
   }
 
+  /// What meshNotes() tells of a mesh, each note up to its first stop, behind the name.
+  static std::string inShort(const std::vector<std::string>& ofMesh, const std::string& source) {
+    std::string text;
+    for (const std::string& note : ofMesh) {
+      const std::size_t begin = source.size() + 2;
+      text += (text.empty() ? "" : "; ") + note.substr(begin, note.find_first_of(";:", begin) - begin);
+    }
+    return text;
+  }
+
   ExitStatus executeRepair() const {
     std::optional<double> distance;
     if (!join.empty()) {
@@ -161,11 +172,9 @@ struct MeshCommand final : Command {
     const RepairedMesh repaired = repairMesh(mesh, input, distance);
     write(repaired.mesh, target);
     std::string text, left = kindsOf(repaired.problems);
-    for (std::string& note : meshNotes(repaired.mesh, target)) {
-      const std::size_t begin = target.size() + 2;  // behind its name
-      left += (left.empty() ? "" : "; ") + note.substr(begin, note.find_first_of(";:", begin) - begin);
-      notes.push_back(std::move(note));
-    }
+    std::vector<std::string> ofMesh = meshNotes(repaired.mesh, target);
+    if (const std::string told = inShort(ofMesh, target); !told.empty()) left += (left.empty() ? "" : "; ") + told;
+    std::ranges::move(ofMesh, std::back_inserter(notes));
     for (const std::string& note : notes) text += "note: " + note + "\n";
     for (const std::string& line : repaired.done) text += line + "\n";
     if (repaired.done.empty()) text += fmt::format("{}: nothing more to repair\n", input);
@@ -181,15 +190,18 @@ struct MeshCommand final : Command {
   }
 
   ExitStatus executeCheck() const {
-    std::vector<std::string> notes;
-    const std::vector<MeshProblem> problems = checkMeshFile(checked, &notes);
+    std::vector<std::string> notes, ofMesh;
+    const std::vector<MeshProblem> problems = checkMeshFile(checked, &notes, &ofMesh);
     std::string text;
-    for (const std::string& note : notes) text += "note: " + note + "\n";
+    for (const auto* list : {&notes, &ofMesh})
+      for (const std::string& note : *list) text += "note: " + note + "\n";
     text += problemLines(problems, allProblems);
-    text += conclusionLine(checked + (problems.empty() ? ": nothing wrong"
-                                      : problems.size() == 1
-                                          ? ": 1 problem"
-                                          : fmt::format(": {} problems: {}", problems.size(), kindsOf(problems))));
+    const std::string told = inShort(ofMesh, checked);
+    const std::string found = problems.empty() ? (told.empty() ? "nothing wrong" : "every element is sound")
+                              : problems.size() == 1
+                                  ? "1 problem"
+                                  : fmt::format("{} problems: {}", problems.size(), kindsOf(problems));
+    text += conclusionLine(fmt::format("{}: {}{}{}", checked, found, told.empty() ? "" : "; ", told));
     printOut(text);
     return problems.empty() ? ExitStatus::done : ExitStatus::unstable;
   }

@@ -83,6 +83,7 @@ struct NodeInCell {
   std::int32_t node;    // its number in the whole
   std::int32_t inside;  // 0: near the cell
   double X[3];          // m
+  double distance;      // m, up to which another lies at its place
   std::int64_t id;
 };
 /// A node, and the first before it that lies at its place.
@@ -93,21 +94,32 @@ struct Coincidence {
 };
 
 /// Nodes that lie where one before them lies: their number, and the first.
-std::pair<std::int64_t, Coincidence> coincidences(Ranks& ranks, const RankPart& part, const MeshBox& box) {
-  double near = -detail::distanceOfDoubles(part.mesh);  // the least of all
-  ranks.largest({&near, 1});
-  const detail::CoincidenceGrid grid(box.low, box.high, -near);
-  if (!grid.exists()) return {0, {}};
+std::pair<std::int64_t, Coincidence> coincidences(Ranks& ranks, const RankPart& part) {
+  detail::CoincidenceGrid grid(0);
+  // Of own nodes, all of whose elements are here.
+  std::vector<double> distances = detail::distancesOfDoubles(part.mesh);
+  distances.resize(static_cast<std::size_t>(part.ownedNodes));
+  std::vector<int> levels;
+  for (std::size_t i = 0; i < distances.size(); ++i) {
+    distances[i] = grid.distance(part.mesh.X.col(static_cast<Eigen::Index>(i)), distances[i]);
+    if (distances[i] > 0) levels.push_back(detail::CoincidenceGrid::levelOf(distances[i]));
+  }
+  sortUnique(levels);
+  levels = gatherAll(ranks, levels);
+  sortUnique(levels);
+  grid.setLevels(std::move(levels));
   const auto size = static_cast<std::uint64_t>(ranks.size());
   std::vector<std::vector<NodeInCell>> to(size);
   for (std::int32_t i = 0; i < part.ownedNodes; ++i) {
+    const double distance = distances[static_cast<std::size_t>(i)];
+    if (distance == 0) continue;
     const Eigen::Vector3d X = part.mesh.X.col(i);
-    const std::uint64_t own = grid.cellOf(X);
-    grid.forEachCellNear(X, [&](std::uint64_t cell) {
+    const std::uint64_t own = grid.cellOf(X, distance);
+    grid.forEachCellNear(X, distance, [&](std::uint64_t cell) {
       // Cells that follow each other go to ranks that have nothing to do with their places.
       constexpr std::uint64_t spread = 0x9e3779b97f4a7c15ULL;
       to[((cell * spread) >> 32) % size].push_back(
-          {cell, part.globalNodes[i], cell == own ? 1 : 0, {X[0], X[1], X[2]}, part.mesh.nodeId(i)});
+          {cell, part.globalNodes[i], cell == own ? 1 : 0, {X[0], X[1], X[2]}, distance, part.mesh.nodeId(i)});
       return false;
     });
   }
@@ -121,7 +133,9 @@ std::pair<std::int64_t, Coincidence> coincidences(Ranks& ranks, const RankPart& 
     for (std::size_t i = begin + 1; i < end; ++i)
       for (std::size_t j = begin; j < i; ++j) {
         const Eigen::Map<const Eigen::Vector3d> a(came[i].X), b(came[j].X);
-        if (came[j].inside == 0 || (b - a).norm() > grid.near()) continue;
+        if (came[j].inside == 0 || came[j].node == came[i].node ||
+            (b - a).norm() > std::min(came[i].distance, came[j].distance))
+          continue;
         found[static_cast<std::uint64_t>(came[i].node) % size].push_back(
             {came[i].node, came[j].node, came[i].id, came[j].id});
         break;
@@ -205,7 +219,7 @@ void requireSoundPart(Ranks& ranks, const RankPart& part, const std::string& sou
   throw InputError(detail::problemsText(source, count, texts));
 }
 
-std::vector<std::string> partNotes(Ranks& ranks, const RankPart& part, const MeshBox& box, const std::string& source) {
+std::vector<std::string> partNotes(Ranks& ranks, const RankPart& part, const std::string& source) {
   std::vector<std::string> notes;
   if (const auto [count, sizes] = connectedPieces(ranks, part); count > 1)
     notes.push_back(detail::partsNote(source, count, sizes));
@@ -216,7 +230,7 @@ std::vector<std::string> partNotes(Ranks& ranks, const RankPart& part, const Mes
     const std::int64_t id = ranks.least(here == first && own.count > 0 ? part.mesh.nodeId(own.first) : noFault);
     notes.push_back(detail::hangingNote(source, count, id));
   }
-  if (const auto [count, first] = coincidences(ranks, part, box); count > 0)
+  if (const auto [count, first] = coincidences(ranks, part); count > 0)
     notes.push_back(detail::coincidenceNote(source, count, first.otherId, first.id));
   return notes;
 }

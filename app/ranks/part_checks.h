@@ -28,7 +28,7 @@ std::vector<std::string> mendShared(Ranks& ranks, SharedMesh& mesh, const std::v
 void requireSoundPart(Ranks& ranks, const RankPart& part, const std::string& source, bool partlyTurned);
 
 /// meshNotes.
-std::vector<std::string> partNotes(Ranks& ranks, const RankPart& part, const MeshBox& box, const std::string& source);
+std::vector<std::string> partNotes(Ranks& ranks, const RankPart& part, const std::string& source);
 
 /// summarizeQuality, with elements by their numbers in the whole. Means are exact sums over elements, rounded.
 std::vector<QualitySummary> qualityOfParts(Ranks& ranks, const RankPart& part);

@@ -114,7 +114,7 @@ class MeshInParts final : public InspectedParts {
       const std::vector<std::vector<std::int32_t>> cut = cutElements(ranks_, shared, pieces);
       part = gatherPart(ranks_, std::move(shared), std::move(pieces), cut);
       requireSoundPart(ranks_, part, source, partlyTurned);
-      add(partNotes(ranks_, part, box, source));
+      add(partNotes(ranks_, part, source));
     }
     for (const auto& [name, nodes] : part.mesh.nodeSets) figures.nodeSets[name] = sumOver(ranks_, ownedOf(part, nodes));
     figures.quality = qualityOfParts(ranks_, part);

@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int format = 12;  // of the file; any change of what is in it counts
+constexpr int format = 13;  // of the file; any change of what is in it counts
 constexpr std::string_view anyMark = "ringwatch checkpoint";
 const std::string mark = fmt::format("{} {}\n", anyMark, format);
 

@@ -28,8 +28,7 @@ void RunCheckpoints::write() {
 }
 
 std::size_t RunCheckpoints::writeAndBeginAgain() {
-  run_.scheme->stepper().complete(run_.state);
-  run_.recordEnergies();
+  run_.completeState();
   run_.energies.beginBody();
   run_.watch.end();
   std::size_t bytes = 0;

@@ -35,8 +35,7 @@ void RunCuts::make(const Scene::Cut& wanted) {
   record.time = run_.state.time;
   record.elementsBefore = static_cast<std::int64_t>(run_.body.mesh().elementCount());
   run_.output->open();
-  run_.scheme->stepper().complete(run_.state);
-  run_.recordEnergies();
+  run_.completeState();
   if (wanted.criticalStep) record.before = run_.criticalStepHere();
   record.kineticBefore = kineticEnergy();
   record.handledBefore = handledElements();

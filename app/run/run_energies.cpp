@@ -14,18 +14,24 @@ RunEnergies::RunEnergies(const Scene& scene, const Body& body, double least)
   balance_.emplace(body);
 }
 
-void RunEnergies::record(const State& state, const StepEvaluation& evaluation, BodySystem& system, bool rowDue,
-                         std::optional<double> dampingPower) {
-  last_.reset();
-  if (!needs(rowDue)) return;
-  balance_->record(state.x, evaluation.internalForce);
+void RunEnergies::recordDamping(const State& state, BodySystem& system) {
   if (damped()) {
-    system.dampingForceBesideElements(state.x, state.v, dampingForce_);
-    balance_->recordDamping(state.time, state.x, state.v, dampingForce_,
-                            dampingPower ? *dampingPower : system.elementDampingPower(state.x, state.v));
+    system.dampingForceBesideElements(state.x, state.v, besideElements_);
+    dampingForce_ = besideElements_;
+    system.addElementDampingForce(state.x, state.v, dampingForce_);
+    balance_->recordDamping(state.x, dampingForce_);
   }
   if (scene_.movesObstacles())
     balance_->recordObstacles(state.time, body_.discreteForces()->obstaclePower(state.x, state.v));
+}
+
+void RunEnergies::record(const State& state, const StepEvaluation& evaluation, bool rowDue) {
+  last_.reset();
+  if (!needs(rowDue)) return;
+  if (damped() && body_.constraints().moving())  // that of elements is in the internal force
+    balance_->record(state.x, resistingForce_ = evaluation.internalForce + besideElements_);
+  else
+    balance_->record(state.x, evaluation.internalForce);
   if (!rowDue) return;
   last_ = balance_->energies(state.x, state.v, evaluation.strainEnergy);
   last_->externalWork += before_.externalWork;

@@ -21,11 +21,13 @@ class RunEnergies {
   }
   /// The internal force of the state is needed too.
   bool needsForce(bool rowDue) const { return needs(rowDue) && body_.constraints().moving(); }
-  /// Records a state, which may not lag, with what was evaluated of it, its velocities those of the damping in the
-  /// internal force; with a row, its strain energy as well. dampingPower: of the elements at the velocities of the
-  /// state, W, where it is known.
-  void record(const State& state, const StepEvaluation& evaluation, BodySystem& system, bool rowDue,
-              std::optional<double> dampingPower);
+  /// Whether recordDamping() must be called before record().
+  bool needsDamping(bool rowDue) const { return needs(rowDue) && (damped() || scene_.movesObstacles()); }
+  /// Records what damping and moving obstacles do at a state whose velocities are those of the kicks there: one that
+  /// lags does so still.
+  void recordDamping(const State& state, BodySystem& system);
+  /// Records a state, which may not lag, with what was evaluated of it; with a row, its strain energy as well.
+  void record(const State& state, const StepEvaluation& evaluation, bool rowDue);
   /// Of the body, for work that record() does not know of.
   EnergyBalance& balance() { return *balance_; }
   /// What the handler of the body has dissipated, J (Handler::dissipated), as of the next record. What is gone does not
@@ -81,7 +83,7 @@ class RunEnergies {
   /// keep no such energy, and where a handler or a device steps.
   std::optional<double> firstHalfStep_;
   double lastError_ = 0;  // J, of the balance, the last one that was a number
-  NodeVectors dampingForce_;
+  NodeVectors besideElements_, dampingForce_, resistingForce_;  // of the state, N
   EnergyRunaway runaway_;
 };
 

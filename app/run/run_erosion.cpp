@@ -83,8 +83,7 @@ bool RunErosion::makeDue(std::int64_t k) {
 
 void RunErosion::takeOut(const std::vector<std::vector<Fault>>& found, std::int64_t k) {
   run_.output->open();
-  run_.scheme->stepper().complete(run_.state);
-  run_.recordEnergies();
+  run_.completeState();
   const std::vector<std::vector<double>> strain = strainEnergyOfElements(run_.body, run_.state.x);
   std::vector<std::vector<bool>> stays;
   double lost = 0;

@@ -13,10 +13,21 @@
 #include <ringwatch/app/scene/scene_discrete.h>
 #include <ringwatch/body/discrete_forces.h>
 #include <ringwatch/monitor/critical_step.h>
+#include <ringwatch/monitor/incremental/work_account.h>
 
 namespace ringwatch {
 
 using Json = nlohmann::ordered_json;
+
+double widthOfReasons(const Body& body, std::int64_t steps) {
+  // Of the work of the steps, and work (WorkAccount) of some 35 ms, which nobody notices.
+  constexpr double share = 0.1, unnoticed = 1e7;
+  // One sweep of the nodal bound is that narrow, but for slivers, and the controlling element is the same.
+  constexpr double coarse = 1;
+  const double most = WorkAccount::ofShares(body, ExchangePolicy::iterations),
+               ofSteps = static_cast<double>(steps) * WorkAccount::ofForce(body);
+  return most <= std::max(unnoticed, share * ofSteps) ? ExchangePolicy::width : coarse;
+}
 
 void RunRecorder::follow(const Mesh& mesh) {
   materialOfBlock_ = materialOfBlocks(mesh);
@@ -84,11 +95,17 @@ void RunRecorder::completeReasons(Body& body) {
   if (leastX_.cols() != body.nodeCount() || leastElements_ != body.elementCount()) return addParagraph(why);
   if (body.elementDamping()) body.followDampingRates(leastX_, leastV_);
   const IntegratorInfo& integrator = *integratorCatalog().find(scene_.method);
-  // The monitor proves no more than the run's step needs; from scratch it is what inspect tells. It is of another state
-  // where obstacles have moved on since, which shows where the two brackets do not meet.
+  // The monitor proves no more than the run's step needs; from scratch it is what inspect tells, where that takes no
+  // more than a small part of the run. It is of another state where obstacles have moved on since, which shows where
+  // the two brackets do not meet.
   const DampingRates rates = leastV_.isZero(0) ? DampingRates::atRest : DampingRates::followed;
   const StepRule rule = ruleAtOwnStep(scene_, body, rates, ownStepTolerance, stepOfTopMode(body, leastX_)).rule;
-  const CriticalStep step = criticalStep(body, leastX_, rule);
+  const double width = widthOfReasons(body, result_.steps);
+  CriticalStep step = criticalStep(body, leastX_, rule, {.width = width});
+  // By the rule of the run, which is this one where nothing damps.
+  const bool damped = body.elementDamping() || (body.discreteForces() && body.discreteForces()->damped());
+  if (const double known = why["safe"]; width > ExchangePolicy::width && !damped && known <= step.optimistic)
+    step.safe = std::max(step.safe, known);
   Json ofStep = stepReasons(body, leastX_, rule, integrator, step);
   if (const Json& most = why["optimistic"]; !ofStep.is_null() && (most.is_null() || step.safe <= most.get<double>())) {
     for (const char* key : {"step", "time"}) ofStep[key] = why[key];

@@ -7,6 +7,10 @@
 
 namespace ringwatch {
 
+/// How narrow a bracket is wanted of the reasons of a run of so many steps (CriticalStepOptions::width): as narrow as
+/// usual where the search takes at most a tenth of the work of the steps, or next to nothing.
+double widthOfReasons(const Body& body, std::int64_t steps);
+
 /// Writes what a run observes and does into its result.
 class RunRecorder {
  public:

@@ -156,12 +156,17 @@ void Simulation::recordEnergies() {
   takeEvaluation(true);
 }
 
+void Simulation::completeState() {
+  recordEnergies();  // first, since damping is of the velocities that lag
+  scheme->stepper().complete(state);
+}
+
 void Simulation::askFor(bool rowDue, bool probesDue) {
   stepperNeedsForce_ = scheme->stepper().needsForce(state);
   evaluation_.wantsForce = stepperNeedsForce_ || energies.needsForce(rowDue) || probesDue;
   evaluation_.wantsEnergy = scene.energy && rowDue && body.domain().whole();  // else the balance sums it up
   evaluation_.velocities = body.elementDamping() ? &state.v : nullptr;
-  dampsAtState_ = evaluation_.wantsForce && evaluation_.velocities && state.lag == 0;
+  dampingDue_ = energies.needsDamping(rowDue);
 }
 
 void Simulation::evaluate() {
@@ -173,6 +178,7 @@ void Simulation::evaluate() {
 
 void Simulation::takeForce() {
   const Stopwatch force(result.forceTime);
+  if (std::exchange(dampingDue_, false)) energies.recordDamping(state, scheme->system());
   if (std::exchange(stepperNeedsForce_, false)) scheme->stepper().takeForce(state, evaluation_);
 }
 
@@ -181,8 +187,7 @@ void Simulation::takeEvaluation(bool rowDue) {
   const Stopwatch force(result.forceTime);
   if (const Handler* handler = scheme->handler(); handler && scene.energy && rowDue)
     energies.setDissipatedByHandler(handler->dissipated());
-  energies.record(state, evaluation_, scheme->system(), rowDue,
-                  dampsAtState_ ? std::optional(evaluation_.dampingPower) : std::nullopt);
+  energies.record(state, evaluation_, rowDue);
   energies.judge(state, steps.step(), result.certified());
 }
 

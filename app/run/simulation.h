@@ -65,6 +65,8 @@ class Simulation {
   }
   /// The energies of the state, in a pass of their own.
   void recordEnergies();
+  /// The same, and the velocities of the state no longer lag.
+  void completeState();
   /// The bracket of the whole body, from scratch; empty where the state has none.
   std::optional<CriticalStep> criticalStepHere(std::int64_t* evaluations = nullptr) const;
 
@@ -103,7 +105,7 @@ class Simulation {
   StepEvaluation evaluation_;
   Body::Workspace workspace_;
   bool stepperNeedsForce_ = false;
-  bool dampsAtState_ = false;  // the evaluation has the damping of elements at the velocities of the state
+  bool dampingDue_ = false;
   bool rowDue_ = false;        // at the state that was observed last
   double preparedFor_ = 0;     // s, the step that the handler chose for
 };

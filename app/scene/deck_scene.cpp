@@ -112,12 +112,11 @@ struct DeckRigid {
   std::string point, turning;  // pointOf the reference node, and of the one that has the rotations
 };
 constexpr const char* severalNodes = "several";
-/// *FIXED MASS SCALING by a factor.
+/// *FIXED MASS SCALING: by a factor, and then for a step.
 struct DeckScaling {
-  std::string elset;  // "" for all
-  double factor;
+  std::string elset;    // "" for all that no other one is of
+  double factor, step;  // s, 0 for none
   std::size_t position;
-  bool used = false;
 };
 struct DeckAmplitude {
   std::vector<double> times, values;
@@ -506,19 +505,18 @@ class DeckReader : DeckWriter {
     const auto number = [&](const char* key) { return lines_.real(keyword_.value(key), key, keyword_.position); };
     const bool isFixed = withoutBlanks(keyword_.name) == "FIXEDMASSSCALING";
     if (!isFixed && !keyword_.has("DT")) return refuse(keyword_.position, "*VARIABLE MASS SCALING needs DT=");
-    // Without either the factor is 1, which takes an earlier one back.
-    if (isFixed && (keyword_.has("FACTOR") || !keyword_.has("DT"))) {
+    if (isFixed) {
       for (const DeckScaling& one : scalings_)
         if (inUpperCase(one.elset) == inUpperCase(keyword_.value("ELSET"))) return refuseSecond(one.position);
-      scalings_.push_back({keyword_.value("ELSET"), keyword_.has("FACTOR") ? number("FACTOR") : 1, keyword_.position});
-    }
-    if (!keyword_.has("DT") || !firstOf(scaledForAt_)) return;
-    if (isFixed) {
-      scaledFor_ = number("DT");
-      scaledSet_ = keyword_.value("ELSET");
-      if (!(scaledFor_ > 0)) refuse(keyword_.position, "*FIXED MASS SCALING, DT must be > 0");
+      for (const char* key : {"FACTOR", "DT"})
+        if (keyword_.has(key) && !(number(key) > 0))
+          refuse(keyword_.position, fmt::format("*FIXED MASS SCALING, {} must be > 0", key));
+      // Without either the factor is 1, which takes that of all elements back.
+      scalings_.push_back({keyword_.value("ELSET"), keyword_.has("FACTOR") ? number("FACTOR") : 1,
+                           keyword_.has("DT") ? number("DT") : 0, keyword_.position});
       return;
     }
+    if (!firstOf(scaledForAt_)) return;
     if (!forRun())
       return note(fmt::format("{}: *{}, DT: this is the body without the mass that a run adds",
                               lines_.where(keyword_.position), keyword_.name));
@@ -531,30 +529,45 @@ class DeckReader : DeckWriter {
   }
   /// *FIXED MASS SCALING, DT: point masses by the elements' own steps at rest.
   void writeScaledMass() {
-    if (scaledFor_ == 0) return;
-    std::optional<std::set<ElementRef>> own;
-    if (!scaledSet_.empty()) {
-      keyword_.name = "FIXED MASS SCALING";
-      const auto elements = elementsOf(scaledSet_, *scaledForAt_);
-      own.emplace(elements.begin(), elements.end());
+    for (const DeckScaling& scaling : scalings_) {
+      if (scaling.step == 0) continue;
+      if (scaling.elset.empty() && !rigids_.empty())
+        lines_.failAt(scaling.position,
+                      "*FIXED MASS SCALING, DT beside *RIGID BODY: rigid elements need no mass; give ELSET= "
+                      "of the others");
+      std::set<ElementRef> own;
+      for (std::size_t b = 0; b < mesh().blocks.size(); ++b)
+        for (std::size_t e = 0; e < mesh().blocks[b].elementCount(); ++e)
+          if (scalingOf({b, e}) == &scaling) own.insert({b, e});
+      const Crossings all = scaleMasses(scaling.step, &own, "FIXED MASS SCALING, DT", scaling.position);
+      note(
+          fmt::format("{}: *FIXED MASS SCALING, DT: {:.6g} kg added to {} of {} elements, {:.3g} % of {:.6g} kg, whose "
+                      "crossing by a wave takes less than {:.6g} s; the step is that of the bracket of the body with "
+                      "this mass at their nodes",
+                      lines_.where(scaling.position), all.added, all.scaled, all.count, 100 * all.added / all.mass,
+                      all.mass, scaling.step));
+      for (const DeckLoad& load : loads_)
+        if (load.acceleration && all.scaled > 0)
+          lines_.failAt(load.position,
+                        fmt::format("GRAV with *FIXED MASS SCALING, DT ({}): weight is of the mass that is "
+                                    "not scaled, and here of all; *VARIABLE MASS SCALING goes with it",
+                                    placeOf(scaling.position)));
     }
-    if (!own && !rigids_.empty())
-      lines_.failAt(*scaledForAt_,
-                    "*FIXED MASS SCALING, DT beside *RIGID BODY: rigid elements need no mass; give ELSET= "
-                    "of the others");
-    const Crossings all = scaleMasses(scaledFor_, own ? &*own : nullptr, "FIXED MASS SCALING, DT", *scaledForAt_);
-    note(
-        fmt::format("{}: *FIXED MASS SCALING, DT: {:.6g} kg added to {} of {} elements, {:.3g} % of {:.6g} kg, whose "
-                    "crossing by a wave takes less than {:.6g} s; the step is that of the bracket of the body with "
-                    "this mass at their nodes",
-                    lines_.where(*scaledForAt_), all.added, all.scaled, all.count, 100 * all.added / all.mass, all.mass,
-                    scaledFor_));
-    for (const DeckLoad& load : loads_)
-      if (load.acceleration && all.scaled > 0)
-        lines_.failAt(load.position,
-                      fmt::format("GRAV with *FIXED MASS SCALING, DT ({}): weight is of the mass that is "
-                                  "not scaled, and here of all; *VARIABLE MASS SCALING goes with it",
-                                  placeOf(*scaledForAt_)));
+  }
+  /// What scales the mass of an element: of those of sets with it the last one, else that of all; nullptr for none.
+  const DeckScaling* scalingOf(ElementRef element) {
+    if (scalingOfElement_.empty() && !scalings_.empty()) {
+      for (const MeshBlock& block : mesh().blocks) scalingOfElement_.emplace_back(block.elementCount(), nullptr);
+      for (const DeckScaling& scaling : scalings_)
+        if (scaling.elset.empty())
+          for (auto& block : scalingOfElement_) std::ranges::fill(block, &scaling);
+      keyword_.name = "FIXED MASS SCALING";
+      for (const DeckScaling& scaling : scalings_)
+        if (!scaling.elset.empty())
+          for (const ElementRef e : elementsOf(scaling.elset, scaling.position))
+            scalingOfElement_[e.block][e.element] = &scaling;
+    }
+    return scalings_.empty() ? nullptr : scalingOfElement_[element.block][element.element];
   }
   /// Before all steps, or in the first.
   bool ofFirstStep() const { return steps_ < 2; }
@@ -1083,27 +1096,24 @@ class DeckReader : DeckWriter {
                                              {"young", material.elastic->first},
                                              {"poisson", material.elastic->second}}
                                       : material.rubber;
-        entry["set"] = set;
-        if (material.density) entry["density"] = *material.density * massFactor(set);
         if (!alike && material.damping) {
           entry["mass_damping"] = material.damping->first;
           if (material.damping->second != 0) entry["stiffness_damping"] = material.damping->second;
         }
-        if (scaledFor_ > 0 && material.density && mesh().elementSets.contains(set))
-          addWaves(entry, "*MATERIAL", material.position);
         for (const auto& [part, rules] : setsByRules(set)) {
-          entry["set"] = part;
           entry["rules"] = Json::array();
           for (const auto& [element, rule] : rules) entry["rules"].push_back(element + "=" + rule);
-          list.push_back(entry);
-          origins.push_back(lines_.where(material.position));
+          for (Scaled& scaled : scaledParts(part)) {
+            entry["set"] = scaled.set;
+            if (material.density) entry["density"] = *material.density * scaled.factor;
+            if (material.density && !scaled.elements.empty())
+              addWaves(entry, std::move(scaled.elements), "*MATERIAL", material.position);
+            list.push_back(entry);
+            origins.push_back(lines_.where(material.position));
+          }
         }
       }
     }
-    for (const DeckScaling& scaling : scalings_)
-      if (!scaling.used)
-        lines_.failAt(scaling.position,
-                      fmt::format("*FIXED MASS SCALING: {} is the set of no *SOLID SECTION", inQuotes(scaling.elset)));
     if (list.empty())
       lines_.failAt(sections_.front().position, "*SOLID SECTION: there is no *INSTANCE of the part that it is in");
     writeMaterialList(std::move(list), origins);
@@ -1120,16 +1130,30 @@ class DeckReader : DeckWriter {
     return found;
   }
 
-  /// Of the elements of a section, by its set in the mesh: what was given last.
-  double massFactor(const std::string& set) {
-    double factor = 1;
-    for (DeckScaling& scaling : scalings_) {
-      const bool own = scaling.elset.empty() ||
-                       inUpperCase(set) == inUpperCase(nameIn(&Mesh::elementSets, scaling.elset, scaling.position));
-      if (own) factor = scaling.factor;
-      scaling.used = scaling.used || own;
+  /// The elements of a section, by its set in the mesh, with their numbers where not all are alike, by the factor of
+  /// their mass. A set that the mesh does not have is as it stands.
+  struct Scaled {
+    std::string set;
+    double factor;
+    std::vector<ElementRef> elements;
+  };
+  std::vector<Scaled> scaledParts(const std::string& set) {
+    const auto known = mesh().elementSets.find(set);
+    if (scalings_.empty() || known == mesh().elementSets.end()) return {{set, 1, {}}};
+    std::map<double, std::vector<ElementRef>> byFactor;
+    for (const ElementRef element : known->second) {
+      const DeckScaling* scaling = scalingOf(element);
+      byFactor[scaling ? scaling->factor : 1].push_back(element);
     }
-    return factor;
+    std::vector<Scaled> parts;
+    for (auto& [factor, elements] : byFactor) {
+      std::vector<std::int64_t> numbers;
+      for (const ElementRef e : elements)
+        if (byFactor.size() > 1) numbers.push_back(mesh().blocks[e.block].id(static_cast<std::size_t>(e.element)));
+      parts.push_back(
+          {numbers.empty() ? set : fmt::format("#{}", fmt::join(numbers, ",")), factor, std::move(elements)});
+    }
+    return parts;
   }
 
   static bool isOn(const DeckKeyword& keyword, const std::string& parameter) {
@@ -1474,10 +1498,11 @@ class DeckReader : DeckWriter {
   void writeLoads() {
     joinGravity();
     for (const DeckLoad& load : loads_) {
-      if (load.acceleration && !scalings_.empty())
+      const auto byFactor = std::ranges::find_if(scalings_, [](const DeckScaling& one) { return one.factor != 1; });
+      if (load.acceleration && byFactor != scalings_.end())
         lines_.failAt(load.position, fmt::format("GRAV with *FIXED MASS SCALING, FACTOR ({}): weight is of the mass "
                                                  "that is not scaled, and here of all; give the sum as *CLOAD",
-                                                 placeOf(scalings_.front().position)));
+                                                 placeOf(byFactor->position)));
       const auto mass = std::ranges::find_if(
           properties_, [&](const DeckProperty& one) { return one.keyword == "MASS" && isInstanced(one.part); });
       if (!load.elements.empty() && mass != properties_.end())
@@ -1511,15 +1536,14 @@ class DeckReader : DeckWriter {
   const DeckLinkType* linkType_ = nullptr;
   std::vector<DeckProperty> properties_;
   std::vector<DeckScaling> scalings_;
+  std::vector<std::vector<const DeckScaling*>> scalingOfElement_;  // [block][element]
   std::vector<DeckRigid> rigids_;
   std::set<std::string> loadsSeen_;  // keywords
   std::set<std::int64_t> ownNodes_;  // numbers of the nodes of the assembly
   static constexpr std::string_view ofAssembly = "node of the assembly ";
   std::map<std::string, std::string> points_;  // of node sets, as nodeSets_: pointOf the only node, or severalNodes
   std::optional<std::size_t> viscosityAt_;     // of *BULK VISCOSITY
-  std::optional<std::size_t> scaledForAt_;     // of mass scaling by DT
-  double scaledFor_ = 0;                       // s, of a fixed one
-  std::string scaledSet_;                      // likewise, "" for all elements
+  std::optional<std::size_t> scaledForAt_;     // of variable mass scaling
   std::map<std::string, Surface> surfaces_;
   Surface* surface_ = nullptr;
   std::vector<DeckContact> contacts_;

@@ -192,7 +192,8 @@ void DeckWriter::writeLoad(const DeckLoad& load) {
   addEntry("force", load.selection, entry, load.position);
 }
 
-void DeckWriter::addWaves(const Json& entry, const std::string& what, std::size_t position) {
+void DeckWriter::addWaves(const Json& entry, std::vector<ElementRef> elements, const std::string& what,
+                          std::size_t position) {
   const std::string model = entry["model"];
   const double density = entry["density"];
   Options parameters;
@@ -200,7 +201,7 @@ void DeckWriter::addWaves(const Json& entry, const std::string& what, std::size_
     if (const auto own = entry.find(std::string(parameter.name)); own != entry.end())
       parameters.set(own.key(), own->get<double>());
   try {
-    waves_.push_back({entry["set"], makeMaterial(model, parameters, density).waveSpeed(), density});
+    waves_.push_back({std::move(elements), makeMaterial(model, parameters, density).waveSpeed(), density});
   } catch (const InputError& fault) {
     lines_.failAt(position, fmt::format("{}: {}", what, fault.what()));
   }
@@ -211,8 +212,8 @@ DeckWriter::Crossings DeckWriter::scaleMasses(double step, const std::set<Elemen
   Crossings all;
   const auto quality = meshQuality(mesh());
   std::map<std::int32_t, double> added;  // by node
-  for (const auto& [set, speed, density] : waves_)
-    for (const ElementRef element : mesh().elementSets.at(set)) {
+  for (const auto& [ofMaterial, speed, density] : waves_)
+    for (const ElementRef element : ofMaterial) {
       const MeshBlock& block = mesh().blocks[element.block];
       const ElementQuality& own = quality[element.block][element.element];
       const double mass = density * std::abs(own.volume);

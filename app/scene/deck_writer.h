@@ -98,13 +98,13 @@ class DeckWriter {
                   std::size_t position);
   void writeLoad(const DeckLoad& load);
 
-  /// Pressure waves in the elements of a set of the mesh.
+  /// Pressure waves in elements of the mesh.
   struct Waves {
-    std::string set;
+    std::vector<ElementRef> elements;
     double speed, density;  // m/s, kg/m³
   };
   /// Of an entry of a material with its law; what: of it, for messages.
-  void addWaves(const Json& entry, const std::string& what, std::size_t position);
+  void addWaves(const Json& entry, std::vector<ElementRef> elements, const std::string& what, std::size_t position);
   /// What the elements' own steps are: of each the crossing of its volume over its largest face, of a tetrahedron of
   /// its least height, by a wave.
   struct Crossings {

@@ -1048,7 +1048,8 @@ class DynaReader : DeckWriter {
         if (forRun() && !material.law->why.empty() && noted_.insert(material.keyword).second)
           note(fmt::format("{}: *{} is {}: {}", lines_.where(material.position), material.keyword,
                            entry["model"].get<std::string>(), material.law->why));
-        addWaves(entry, "*" + material.keyword, material.position);  // for LS-DYNA's own step
+        addWaves(entry, mesh().elementSets.at(detail::dynaPart(id)), "*" + material.keyword,
+                 material.position);  // for LS-DYNA's own step
       }
       list.push_back(std::move(entry));
       origins.push_back(lines_.where(material.position));

@@ -1,5 +1,6 @@
 #include <ringwatch/app/scene/number_text.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -50,6 +51,21 @@ StretchRange parseStretchRange(const std::string& text, const std::string& optio
     throw InputError(fmt::format("{}: {} is no range of stretches; must be a:b with 0 < a <= b, such as 0.7:1.5",
                                  option, inQuotes(text)));
   return {*low, *high};
+}
+
+std::vector<std::int64_t> numbersOfSelection(const std::string& selection, std::string_view what,
+                                             const std::string& origin) {
+  std::vector<std::int64_t> numbers;
+  for (std::size_t begin = 1; begin <= selection.size();) {
+    const std::size_t end = std::min(selection.find(',', begin), selection.size());
+    std::int64_t& number = numbers.emplace_back(0);
+    const auto [stop, error] = std::from_chars(selection.data() + begin, selection.data() + end, number);
+    if (error != std::errc() || stop != selection.data() + end)
+      throw InputError(fmt::format("{}: {} names no {}; write # and their numbers, e.g. \"#3,7\"", origin,
+                                   inQuotes(selection), what));
+    begin = end + 1;
+  }
+  return numbers;
 }
 
 }  // namespace ringwatch

@@ -1,7 +1,6 @@
 #include <ringwatch/app/scene/scene.h>
 
 #include <algorithm>
-#include <charconv>
 #include <map>
 
 #include <fmt/format.h>
@@ -80,18 +79,8 @@ class PrescribedMotions {
 }  // namespace
 
 std::vector<std::int64_t> NodeSelection::numbers() const {
-  std::vector<std::int64_t> found;
-  if (where || !set.starts_with("#")) return found;
-  for (std::size_t begin = 1; begin <= set.size();) {
-    const std::size_t end = std::min(set.find(',', begin), set.size());
-    std::int64_t& number = found.emplace_back(0);
-    const auto [stop, error] = std::from_chars(set.data() + begin, set.data() + end, number);
-    if (error != std::errc() || stop != set.data() + end)
-      throw InputError(
-          fmt::format("{}: {} names no nodes; write # and their numbers, e.g. \"#3,7\"", origin, inQuotes(set)));
-    begin = end + 1;
-  }
-  return found;
+  if (where || !set.starts_with("#")) return {};
+  return numbersOfSelection(set, "nodes", origin);
 }
 
 InputError NodeSelection::noSuchNode(std::int64_t number) const {

@@ -5,10 +5,13 @@
 
 #include <fmt/format.h>
 
+#include <ringwatch/app/scene/number_text.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/base/nearest_name.h>
+#include <ringwatch/base/sort_unique.h>
 #include <ringwatch/base/user_text.h>
+#include <ringwatch/meshes/number_index.h>
 
 namespace ringwatch {
 namespace {
@@ -35,6 +38,17 @@ void forEachElement(const Mesh& mesh, const Visit& visit) {
 std::vector<ElementRef> elementsOfSet(const std::string& set, const Mesh& mesh, const std::string& origin) {
   const auto found = mesh.elementSets.find(set);
   if (found != mesh.elementSets.end() && !found->second.empty()) return found->second;
+  if (found == mesh.elementSets.end() && set.starts_with("#")) {
+    std::vector<ElementRef> elements;
+    NumberIndex index(mesh);
+    for (const std::int64_t number : numbersOfSelection(set, "elements", origin)) {
+      const auto element = index.element(number);
+      if (!element) throw InputError(fmt::format("{}: the mesh has no element {}", origin, number));
+      elements.push_back(*element);
+    }
+    sortUnique(elements);
+    return elements;
+  }
   if (found != mesh.elementSets.end())
     throw InputError(fmt::format("{}: the element set {} is empty", origin, inQuotes(set)));
   std::vector<std::string> known;

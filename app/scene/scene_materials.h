@@ -51,8 +51,9 @@ std::vector<std::size_t> splitMeshBlocks(Mesh& mesh, const ElementNumbers& numbe
 /// and for elements without a material or with two.
 std::vector<Material> assignMaterials(const std::vector<SceneMaterial>& materials, Mesh& mesh, MaterialsBy by);
 
-/// The elements of a named element set, or those at the centre of whose nodes at rest a condition holds; all of them
-/// without either. Throws InputError "origin: …" for an unknown set and for a selection without elements.
+/// The elements of a named element set, those with the numbers of "#3,7", or those at the centre of whose nodes at rest
+/// a condition holds; all of them without either. Throws InputError "origin: …" for an unknown set and for a selection
+/// without elements.
 std::vector<ElementRef> selectedElements(const Mesh& mesh, const std::optional<WhereExpression>& where,
                                          const std::string& set, const std::string& origin);
 

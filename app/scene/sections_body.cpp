@@ -150,11 +150,14 @@ SceneSection materialSection() {
       {{key("model", &M::model, "constitutive law; help laws lists its parameters",
             {.required = true, .choices = namesOf(allLaws()), .features = {F::otherLaws}})},
        unbound<M>(keysOfOptions(allLaws(), &LawInfo::parameters)),
-       unbound<M>({{.key = "where",
-                    .type = SceneType::text,
-                    .help = "elements that have it, by a condition on the centre of their nodes at rest, e.g. \"x < "
-                            "0.1\"; each element has one material"},
-                   {.key = "set", .type = SceneType::text, .help = "named element set of the mesh, instead of where"}}),
+       unbound<M>(
+           {{.key = "where",
+             .type = SceneType::text,
+             .help = "elements that have it, by a condition on the centre of their nodes at rest, e.g. \"x < "
+                     "0.1\"; each element has one material"},
+            {.key = "set",
+             .type = SceneType::text,
+             .help = "named element set of the mesh, or \"#\" and numbers of elements, \"#3,7\", instead of where"}}),
        {key("density", &M::density, "density at rest",
             {.unit = "kg/m3", .required = true, .range = KeyRange::positive}),
         damping("mass_damping", &DampingConstants::massProportional, "1/s",

@@ -121,6 +121,9 @@ void refuseUnfollowed(const std::filesystem::path& path) {
     if (!isMark(at)) continue;
     Dataset& own = datasets.emplace_back(Dataset{number(at + 1, 0), at + 2, at + 2});
     while (own.end < lines.size() && !isMark(own.end)) ++own.end;
+    if (own.end == lines.size())
+      fail(at, joinText("this is a universal file (UNV) whose dataset ", own.number,
+                        " has no end, a line of -1; is it cut short?"));
     at = own.end;
   }
   const auto forEach = [&](std::int64_t wanted, const auto& visit) {

@@ -31,24 +31,35 @@ MeshState readVtuState(const std::filesystem::path& path, const std::string& tex
                        Notes* notes);
 /// A state of a results file as it stands there; numbers may be not finite.
 struct ResultFrame {
-  Mesh mesh;                     // X: the points of the file
-  std::string displacement;      // the name of the field that `u` is; "" for none
-  std::optional<NodeVectors> u;  // 3×N, m
-  std::string vectors;           // names of the fields of three components at the points, for a message
-  bool deformedPoints = false;   // the file says that its points are deformed positions
-  std::optional<double> time;    // s
+  Mesh mesh;                                                   // X: the points of the file
+  bool nodesHaveNumbers = false, elementsHaveNumbers = false;  // of the file, not those of its order
+  std::string displacement;                                    // the name of the field that `u` is; "" for none
+  std::optional<NodeVectors> u;                                // 3×N, m
+  std::string vectors;          // names of the fields of three components at the points, for a message
+  bool deformedPoints = false;  // the file says that its points are deformed positions
+  std::optional<double> time;   // s
   std::optional<std::int64_t> increment;
   std::vector<std::vector<bool>> deleted;  // [block][element]; empty where the file says of no element that it is
 };
+/// What a message says of the fields of three components at the points, their names in quotes; "" for none.
+std::string fieldChoice(const std::string& vectors);
+/// The same behind that the field of that name is missing.
+std::string noField(const std::string& name, const std::string& vectors);
 /// The field of OpenRadioss' files with the numbers of the nodes.
 inline constexpr const char* nodeNumberField = "NODE_ID";
 /// The fields that takeCellField takes: numbers of the elements and 1 for a deleted one, of OpenRadioss, and Abaqus' 0
 /// for a deleted one among 1.
 inline constexpr std::string_view resultFields[] = {"ELEMENT_ID", "EROSION_STATUS", "STATUS"};
 /// Takes what another program says of the elements, in the order of blocks and elements; passes over other fields.
-void takeCellField(ResultFrame& frame, const std::string& name, const std::vector<double>& values);
+/// source, notes: for numbers that are not taken.
+void takeCellField(ResultFrame& frame, const std::string& name, const std::vector<double>& values,
+                   const std::string& source, Notes* notes);
 /// Takes the numbers of the nodes, where they are whole and differ.
-void takeNodeNumbers(ResultFrame& frame, const std::vector<double>& values);
+void takeNodeNumbers(ResultFrame& frame, const std::vector<double>& values, const std::string& source, Notes* notes);
+/// Whether the text of a file may have one of these fields.
+bool mayTellOfElements(std::string_view text);
+/// The mesh of what is not deleted, with a note. Throws InputError where all is.
+Mesh standingMesh(ResultFrame frame, const std::string& source, Notes* notes);
 /// names: of the displacement; the first that there is. notes: of the mesh, or nullptr.
 ResultFrame readVtuResult(const std::filesystem::path& path, const std::string& text,
                           const std::vector<std::string>& names, Notes* notes);

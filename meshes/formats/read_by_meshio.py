@@ -548,7 +548,9 @@ except Fault as fault:
 except (Exception, SystemExit) as fault:  # meshio raises what comes, and ends the program where it cannot read
     said = heard.getvalue() if isinstance(fault, SystemExit) else str(fault)
     said = re.sub(r"Error: Couldn't read file.*", "", said, flags=re.S).strip()
-    if isinstance(fault, KeyError):
+    if isinstance(fault, MemoryError):  # or numpy, of a size that it cannot count
+        said = "it asks for more memory than there is; is a count in it damaged?"
+    elif isinstance(fault, KeyError):
         said = f"it does not know {fault}"
     elif not said or not isinstance(fault, (SystemExit, OSError, meshio.ReadError)):
         said = f"it is not as meshio knows the format ({type(fault).__name__}{': ' * bool(said)}{said})"

@@ -350,8 +350,27 @@ bool isVtkVolumeCell(int type) {
   return std::find(std::begin(flat), std::end(flat), type) == std::end(flat);
 }
 
+namespace {
+
+/// Takes what the file says of its nodes and elements.
+void takeLegacyFields(LegacyReader& reader, const std::vector<LegacyReader::DataField>& fields, ResultFrame& frame,
+                      const std::string& source, Notes* notes) {
+  for (const LegacyReader::DataField& field : fields) {
+    if (field.atPoints && field.name == nodeNumberField)
+      takeNodeNumbers(frame, field.values, source, notes);
+    else if (!field.atPoints && field.components == 1 && field.values.size() == reader.cellCount())
+      takeCellField(frame, field.name, reader.atElements(field.values), source, notes);
+  }
+}
+
+}  // namespace
+
 Mesh readLegacyVtk(const std::filesystem::path& path, const std::string& text, Notes* notes, Problems* problems) {
-  return LegacyReader(path.string(), text).read(notes, problems);
+  LegacyReader reader(path.string(), text);
+  ResultFrame frame;
+  frame.mesh = reader.read(notes, problems);
+  if (mayTellOfElements(text)) takeLegacyFields(reader, reader.dataFields(), frame, path.string(), notes);
+  return standingMesh(std::move(frame), path.string(), notes);
 }
 
 ResultFrame readLegacyVtkResult(const std::filesystem::path& path, const std::string& text,
@@ -362,14 +381,10 @@ ResultFrame readLegacyVtkResult(const std::filesystem::path& path, const std::st
   frame.mesh = reader.read(notes, &problems);
   const auto nodes = static_cast<Eigen::Index>(frame.mesh.nodeCount());
   const std::vector<LegacyReader::DataField> fields = reader.dataFields();
-  for (const LegacyReader::DataField& field : fields) {
+  for (const LegacyReader::DataField& field : fields)
     if (field.atPoints && field.components == 3)
       frame.vectors += (frame.vectors.empty() ? "" : ", ") + detail::quoted(field.name);
-    else if (field.atPoints && field.name == nodeNumberField)
-      takeNodeNumbers(frame, field.values);
-    else if (!field.atPoints && field.components == 1 && field.values.size() == reader.cellCount())
-      takeCellField(frame, field.name, reader.atElements(field.values));
-  }
+  takeLegacyFields(reader, fields, frame, path.string(), notes);
   for (const std::string& name : names) {
     const auto found = std::find_if(fields.begin(), fields.end(), [&](const auto& field) {
       return field.atPoints && field.components == 3 && field.name == name;

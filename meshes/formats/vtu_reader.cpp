@@ -73,9 +73,13 @@ class VtuReader {
       notes->push_back(joinText(source_, ": ", flat_, " cells of surfaces, lines or points are left out"));
     builder_.leftOut = flat_;
     Mesh mesh = builder_.finish(notes, problems);
-    if (nodeIds_.size() == mesh.nodeCount()) mesh.nodeIds = nodeIds_;
+    nodesHaveNumbers_ = nodeIds_.size() == mesh.nodeCount();
+    if (nodesHaveNumbers_) mesh.nodeIds = nodeIds_;
     return mesh;
   }
+  /// After read(): whether the file has numbers of its own, those of ringwatch's files.
+  bool nodesHaveNumbers() const { return nodesHaveNumbers_; }
+  bool elementsHaveNumbers() const { return elementsHaveNumbers_; }
 
   /// After read(): the displacement of that name at all points, 3×N, and whether the points are deformed positions.
   NodeVectors displacement(const std::string& name, std::size_t nodes) const {
@@ -90,12 +94,11 @@ class VtuReader {
         if (a.name == name) found = &a;
         if (a.components == 3 && a.type->real) known += (known.empty() ? "" : ", ") + detail::quoted(a.name);
       }
-      const std::string choice = known.empty() ? "there is no field of three components at the points"
-                                               : "fields of three components at the points: " + known;
-      if (found == nullptr) throw InputError(joinText(source_, ": no field ", detail::quoted(name), "; ", choice));
+      if (found == nullptr) throw InputError(joinText(source_, ": ", detail::noField(name, known)));
       if (found->components != 3 || !found->type->real)
         throw InputError(joinText(source_, ": the field ", detail::quoted(name), " has ", found->components,
-                                  found->type->real ? " components, not 3; " : " integer components; ", choice));
+                                  found->type->real ? " components, not 3; " : " integer components; ",
+                                  fieldChoice(known)));
       const std::vector<double> u = values<double>(*found, 3 * piece.points);
       for (std::size_t i = 0; i < u.size(); ++i) {
         if (!std::isfinite(u[i]))
@@ -592,6 +595,7 @@ class VtuReader {
       else if (a.name.rfind(setPrefix, 0) == 0)
         sets.emplace_back(a.name.substr(setPrefix.size()), values<std::int64_t>(a, piece.cells));
     }
+    elementsHaveNumbers_ = elementsHaveNumbers_ || !ids.empty();
     std::map<std::vector<std::string>, int> groups;
     std::int64_t nodes[125];
     for (std::size_t c = 0; c < piece.cells; ++c, ++cellCount_) {
@@ -640,6 +644,7 @@ class VtuReader {
   std::string compressor_;
   std::size_t wordBytes_ = 4;
   bool swap_ = false, rawAppended_ = false, deformedPoints_ = false;
+  bool nodesHaveNumbers_ = false, elementsHaveNumbers_ = false;
   std::vector<Array> fieldData_;
   std::string_view appended_;
   std::vector<std::int64_t> nodeIds_;
@@ -648,15 +653,40 @@ class VtuReader {
 
 }  // namespace
 
+std::string fieldChoice(const std::string& vectors) {
+  return vectors.empty() ? "there is no field of three components at the points"
+                         : "fields of three components at the points: " + vectors;
+}
+std::string noField(const std::string& name, const std::string& vectors) {
+  return joinText("no field ", detail::quoted(name), "; ", fieldChoice(vectors));
+}
+
+namespace {
+
+/// Takes what the file says of its nodes and elements.
+void takeVtuFields(VtuReader& reader, ResultFrame& frame, const std::string& source, Notes* notes) {
+  for (const FrameField& field : reader.cellFields(resultFields))
+    takeCellField(frame, field.name, field.values, source, notes);
+  takeNodeNumbers(frame, reader.pointNumbers(nodeNumberField), source, notes);
+}
+
+}  // namespace
+
 Mesh readVtu(const std::filesystem::path& path, const std::string& text, Notes* notes, Problems* problems) {
-  return VtuReader(path.string(), text).read(notes, problems);
+  VtuReader reader(path.string(), text);
+  ResultFrame frame;
+  frame.mesh = reader.read(notes, problems);
+  if (mayTellOfElements(text)) takeVtuFields(reader, frame, path.string(), notes);
+  return standingMesh(std::move(frame), path.string(), notes);
 }
 
 MeshState readVtuState(const std::filesystem::path& path, const std::string& text, const std::string& displacement,
                        Notes* notes) {
   VtuReader reader(path.string(), text);
-  MeshState state;
-  state.mesh = reader.read(notes, nullptr);
+  ResultFrame frame;
+  frame.mesh = reader.read(notes, nullptr);
+  if (mayTellOfElements(text)) takeVtuFields(reader, frame, path.string(), notes);
+  MeshState state{standingMesh(std::move(frame), path.string(), notes), {}};
   const NodeVectors u = reader.displacement(displacement, state.mesh.nodeCount());
   state.x = reader.deformedPoints() ? state.mesh.X : NodeVectors(state.mesh.X + u);
   if (reader.deformedPoints()) state.mesh.X -= u;
@@ -671,14 +701,15 @@ ResultFrame readVtuResult(const std::filesystem::path& path, const std::string& 
   frame.mesh = reader.read(notes, &problems);
   frame.vectors = reader.vectorNames();
   frame.deformedPoints = reader.deformedPoints();
+  frame.nodesHaveNumbers = reader.nodesHaveNumbers();
+  frame.elementsHaveNumbers = reader.elementsHaveNumbers();
   for (const std::string& name : names)
     if (reader.hasVectors(name)) {
       frame.displacement = name;
       frame.u = reader.vectors(name, frame.mesh.nodeCount());
       break;
     }
-  for (FrameField& field : reader.cellFields(resultFields)) takeCellField(frame, field.name, field.values);
-  takeNodeNumbers(frame, reader.pointNumbers(nodeNumberField));
+  takeVtuFields(reader, frame, path.string(), notes);
   const std::map<std::string, double> numbers = reader.numbers();
   for (const char* name : {"TimeValue", "TIME", "time"})
     if (const auto known = numbers.find(name); known != numbers.end()) frame.time = known->second;

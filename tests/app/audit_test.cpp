@@ -170,6 +170,14 @@ TEST_F(Audits, LeaveOutElementsThatAreDeletedAndNameAllByTheNumbersOfTheFile) {
   EXPECT_EQ(deleted["history"][1]["least_determinant"], 1.0);
   EXPECT_EQ(deleted["history"][1]["controlling_element"]["id"], 502);
   EXPECT_EQ(deleted["history"][1]["controlling_element"]["node_ids"], Json({1001, 1003, 1002, 1005}));
+  // The state alone, as a mesh: without the mass of the element.
+  const Outcome alone = call("inspect s1.vtk --json s1.json" + std::string(test::material));
+  ASSERT_EQ(alone.status, 0) << alone.err;
+  EXPECT_THAT(alone.out,
+              HasSubstr("s1.vtk: 1 of 2 elements is deleted, by the status that the file tells, and left out with"));
+  EXPECT_EQ(json("s1.json")["controlling_element"]["id"], 502);
+  EXPECT_NEAR(json("s1.json")["mesh"]["volume"].get<double>(), 1. / 6, 1e-15);
+  EXPECT_EQ(call("mesh check s2.vtk").status, 1);
   const Json other = audit("t0.vtk t1.vtk" + law, 0);
   EXPECT_EQ(other["history"][1]["deleted_elements"], 1);
   EXPECT_EQ(other["history"][1]["safe"], deleted["history"][1]["safe"]);
@@ -223,10 +231,11 @@ TEST_F(Audits, NameWhatIsInvertedAndLost) {
             {0.05, 40, lost}});
   const Json json = audit("bar.frd --junit j.xml" + std::string(test::material), 1);
   EXPECT_THAT(json["conclusion"].get<std::string>(),
-              AllOf(HasSubstr("all is lost in 1 of 3 states; an element is inverted in 1 of 3 states; "),
+              AllOf(HasSubstr("the state is lost in 1 of 3 states; an element is inverted in 1 of 3 states; "),
                     Not(HasSubstr("could have been"))));
   EXPECT_THAT(folder_.read("j.xml"),
-              AllOf(HasSubstr("<failure message=\"lost, 1 of 4 nodes are not finite: step "), Not(HasSubstr("null"))));
+              AllOf(HasSubstr("<failure message=\"the state is lost, 1 of 4 nodes are not finite: step "),
+                    Not(HasSubstr("null"))));
   EXPECT_EQ(json["displacement"], "DISP");
   EXPECT_NEAR(json["history"][0]["step"].get<double>(), 2e-3, 1e-15);
   EXPECT_NEAR(json["history"][1]["step"].get<double>(), 1e-3, 1e-15);
@@ -332,6 +341,23 @@ TEST_F(Audits, MatchNodesAndElementsByTheirNumbers) {
     }
     folder_.write(name, text);
   }
+  // Numbers in one of the states alone, or twice the same one: the place in the file tells, and a note says so.
+  const std::string without = folder_.read("s1.vtk");
+  write("s2.vtk", 0.1, {{0, 1, 2, 3, 4}, {0, 1}});
+  folder_.write("twice.vtk", folder_.read("s2.vtk").replace(folder_.read("s2.vtk").find("1004\n"), 4, "1003"));
+  for (const auto& [files, notes] : std::vector<std::pair<std::string, std::vector<std::string>>>{
+           {"s0.vtk s2.vtk",
+            {"note: s2.vtk: tells numbers of its nodes, which the first state does not: in 1 of 2 states nodes are "
+             "matched by their place in the file\n",
+             "note: s2.vtk: tells numbers of its elements, which the first state does not: in 1 of 2 states"}},
+           {"s2.vtk s1.vtk", {"note: s1.vtk: tells no numbers of its nodes, which the first state does: in 1 of 2"}},
+           {"twice.vtk s1.vtk",
+            {"note: twice.vtk: the numbers of NODE_ID are not taken, 1003 stands 2 times; those of the file's order "
+             "are"}}}) {
+    const Outcome outcome = call("audit " + files + law);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    for (const std::string& note : notes) EXPECT_THAT(outcome.out, HasSubstr(note)) << files;
+  }
   const Json matched = audit("s0.vtk s1.vtk --scene deck.inp --step 1e-5", 0)["history"][1];
   EXPECT_EQ(matched["deleted_elements"], 1);
   EXPECT_EQ(matched["controlling_element"]["id"], same["controlling_element"]["id"].get<int>() - 500);
@@ -433,7 +459,8 @@ TEST_F(Audits, RefuseBadInput) {
   const std::string material = test::material;
   expectRefused("audit a0.vtk", "--young is required, or --scene with the materials");
   expectRefused("audit nowhere.frd" + material, "nowhere.frd: cannot read: there is no such file");
-  expectRefused("audit a0.vtk --displacement V" + material, "no field \"V\" of three components; there are \"U\"");
+  expectRefused("audit a0.vtk --displacement V" + material,
+                "no field \"V\"; fields of three components at the points: \"U\"");
   expectRefused("audit a0.vtk --step -1" + material, "--step: \"-1\" is no time; must be a number > 0 or a fraction");
   expectRefused("audit a0.vtk --limit 0" + material, "--limit: 0 is out of range");
   expectRefused("audit a0.vtk --integrator implicit-euler" + material, "is no integrator with a critical step");

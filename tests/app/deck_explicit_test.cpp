@@ -331,7 +331,23 @@ TEST_F(ExplicitDecks, ScaleMasses) {
              scene("7850", "7850") + all + viscous + "[[pressure]]\nset = \"#1,2,3,4\"\npressure = 1\n");
   expectSame(deck("*Fixed Mass Scaling, elset=Second, " + forStep + "\n"),
              scene("7850", "7850") + masses("2,3,6,7,9,10,11,12", 8));
-  refuse(deck("*Fixed Mass Scaling, factor=4., elset=Tip\n"), "\"Tip\" is the set of no *SOLID SECTION");
+  // First by the factor, and then as much more as a step still asks for, which is then the mass that it alone asks for.
+  const double more = 15.7 * (25e-10 * wave / (15700 * 0.01) - 1) / 8;
+  expectSame(deck("*Fixed Mass Scaling, factor=2., " + forStep + "\n"),
+             scene("15700", "15700") + "[[mass]]\nset = \"#1,4,5,8,9,10,11,12\"\nmass = " + test::digits(8 * more) +
+                 "\n[[mass]]\nset = \"#2,3,6,7\"\nmass = " + test::digits(8 * more) + "\n");
+  EXPECT_NEAR(mass_, 2 * 25e-10 * wave * 0.1, 1e-11);
+  expectSame(deck("*Fixed Mass Scaling, factor=16., " + forStep + "\n"), scene("125600", "125600"));
+  // What a set has of its own takes the place of what all have.
+  expectSame(deck("*Fixed Mass Scaling, elset=Second, " + forStep + "\n*Fixed Mass Scaling, factor=4.\n"),
+             scene("31400", "7850") + masses("2,3,6,7,9,10,11,12", 8));
+  // A set that is a part of a section's.
+  const std::string ofAll =
+      part("C3D8") + steel() + step("*Fixed Mass Scaling, elset=Second, factor=2.\n*Cload\nTip, 1, -1e4\n");
+  expectSame(ofAll, scene("7850", "15700"));
+  EXPECT_NEAR(mass_, 3 * 7.85, 1e-12);
+  refuse(deck("*Fixed Mass Scaling, factor=4., elset=Tip\n"), "*FIXED MASS SCALING: there is no element set \"Tip\"");
+  refuse(deck("*Fixed Mass Scaling, factor=-4.\n"), "*FIXED MASS SCALING, FACTOR must be > 0");
   refuse(deck("*Fixed Mass Scaling, factor=4.\n", gravity),
          "GRAV with *FIXED MASS SCALING, FACTOR (line 52): weight is of the mass that is not scaled");
   refuse(deck("*Fixed Mass Scaling, dt=5e-5\n", gravity), "*VARIABLE MASS SCALING goes with it");

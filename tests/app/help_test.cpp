@@ -257,6 +257,10 @@ TEST_F(Words, CheckAndInspectNoteWhatIsOddAboutAMesh) {
                 AllOf(HasSubstr("note: apart.msh: the mesh falls into 2 parts"),
                       HasSubstr("note: apart.msh: 3 nodes lie where another node lies, e.g. nodes 1 and 5")));
   }
+  EXPECT_THAT(
+      call("mesh check apart.msh").out,
+      HasSubstr("conclusion: apart.msh: every element is sound; the mesh falls into 2 parts that share no node, "
+                "of 1, 1 elements; 3 nodes lie where another node lies, e.g. nodes 1 and 5\n"));
 }
 
 TEST_F(Words, StudiesTellHowFarTheyAre) {

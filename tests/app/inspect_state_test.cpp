@@ -1,6 +1,9 @@
 // inspect beyond a free mesh at rest: sets, deformed states, frames of runs, rollers, quadrature rules, handlers.
 #include <cmath>
 #include <fstream>
+#include <span>
+
+#include <fmt/format.h>
 
 #include <ringwatch/meshes/formats/vtu_writer.h>
 #include <ringwatch/meshes/generators/generators.h>
@@ -114,7 +117,32 @@ TEST_F(Inspect, TakesADeformedState) {
   expectRefused(std::string("inspect state.vtu --displacement D") + material,
                 "no field \"D\"; fields of three components at the points: \"U\", \"V\"");
   expectRefused(std::string("inspect state.vtu --displacement heat") + material, "\"heat\" has 1 components, not 3");
-  expectRefused(std::string("inspect bar.msh --displacement U") + material, "read from .vtu files only");
+  expectRefused(std::string("inspect bar.msh --displacement U") + material, "read from .vtu and .vtk files");
+  // The same state in VTK's legacy format, with a first node that is of no element.
+  std::string legacy = fmt::format(
+      "# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS {} double\n", mesh.nodeCount() + 1);
+  const auto rows = [&](const NodeVectors& v) {
+    legacy += "9 9 9\n";
+    for (Eigen::Index i = 0; i < v.cols(); ++i)
+      legacy += fmt::format("{} {} {}\n", test::digits(v(0, i)), test::digits(v(1, i)), test::digits(v(2, i)));
+  };
+  rows(mesh.X);
+  const MeshBlock& block = mesh.blocks.front();
+  legacy += fmt::format("CELLS {} {}\n", block.elementCount(), 5 * block.elementCount());
+  for (std::size_t e = 0; e < block.elementCount(); ++e)
+    legacy += fmt::format("4 {} {} {} {}\n", block.element(e)[0] + 1, block.element(e)[1] + 1, block.element(e)[2] + 1,
+                          block.element(e)[3] + 1);
+  legacy += fmt::format("CELL_TYPES {}\n", block.elementCount());
+  for (std::size_t e = 0; e < block.elementCount(); ++e) legacy += "10\n";
+  legacy += fmt::format("POINT_DATA {}\nVECTORS U double\n", mesh.nodeCount() + 1);
+  rows(u);
+  folder_.write("state.vtk", legacy);
+  ASSERT_EQ(block.nodesPerElement(), 4);
+  EXPECT_NEAR(report(std::string("state.vtk --displacement U") + material)["critical_step"]["safe"].get<double>() /
+                  at["safe"].get<double>(),
+              1, 1e-12);
+  expectRefused(std::string("inspect state.vtk --displacement D") + material,
+                "state.vtk: no field \"D\"; fields of three components at the points: \"U\"");
   expectRefused(std::string("inspect state.vtu --displacement U --frame 1") + material, "give one of them");
 }
 

@@ -7,6 +7,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <ringwatch/app/run/run_recorder.h>
+#include <ringwatch/materials/registry.h>
+#include <ringwatch/meshes/generators/generators.h>
+#include <ringwatch/monitor/bounds/exchange_bound.h>
+
 #include "program.h"
 
 namespace ringwatch {
@@ -229,6 +234,31 @@ TEST_F(Program, ARunThatStopsAtOnceSaysWhyAsInspectDoes) {
       EXPECT_NEAR(why[key].get<double>() / inspected[key].get<double>(), 1, 1e-9) << key << more;
     EXPECT_EQ(why["element"], inspected["element"]) << more;
   }
+}
+
+// What is told at the end of a run is a small part of its work: bodies of many elements and runs of few steps get the
+// sharp bracket only where the run has had one.
+TEST_F(Program, ReasonsOfARunAreAsNarrowAsItCanPay) {
+  const auto body = [](int cells) {
+    return Body(generateBar({.size = {1, 0.2, 0.2}, .cells = {cells, 6, 6}}), makeMaterial("stvk", 1e6, 0.3, 1000));
+  };
+  const Body small = body(2), large = body(50);
+  EXPECT_EQ(widthOfReasons(small, 0), ExchangePolicy::width);
+  EXPECT_GT(widthOfReasons(large, 400), 0.5);
+  EXPECT_EQ(widthOfReasons(large, 1'000'000), ExchangePolicy::width);
+  folder_.write(
+      "large.toml",
+      "mesh = {generate = \"bar\", size = [1, 0.2, 0.2], cells = [50, 6, 6], jitter = 0.2}\n[material]\nmodel = "
+      "\"stvk\"\nyoung = 1e6\npoisson = 0.3\ndensity = 1000\n[integrator]\nstep = 1e-4\nend = 2e-3\n[output]\npicture "
+      "= false\n[[initial]]\nwhere = \"x > 0.5\"\nvelocity = [-5, 0, 0]\n");
+  ASSERT_EQ(call("run large.toml --out r").status, 0);
+  const Json why = json("r/summary.json")["why"];
+  const Table rows = table("r/history.csv");
+  std::size_t least = 0;
+  for (std::size_t i = 1; i < rows.rows.size(); ++i)
+    if (rows.number(i, "safe_s") < rows.number(least, "safe_s")) least = i;
+  EXPECT_GE(why["safe"].get<double>(), rows.number(least, "safe_s") * (1 - 1e-9));
+  EXPECT_LE(why["optimistic"].get<double>(), rows.number(least, "optimistic_s") * (1 + 1e-9));
 }
 
 // The elements are told of in the state whose bracket is shown, as inspect tells of it.

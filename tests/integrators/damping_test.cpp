@@ -177,7 +177,7 @@ TEST(RayleighDampedBody, BalancesItsEnergies) {
     Energies energies;
     for (int k = 0; k <= steps; ++k) {
       system.dampingForce(state.x, state.v, dampingForce);
-      balance.recordDamping(state.time, state.x, state.v, dampingForce);
+      balance.recordDamping(state.x, dampingForce);
       energies = balance.evaluate(state.x, state.v);
       if (k == steps) break;
       ASSERT_TRUE(integrator->step(system, state, 200 * h / steps).done);

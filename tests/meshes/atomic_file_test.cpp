@@ -1,6 +1,11 @@
 #include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
 
 #include <ringwatch/base/atomic_file.h>
+#include <ringwatch/base/leftovers.h>
 #include <ringwatch/base/nearest_name.h>
 
 #include "tests/meshes/mesh_test_tools.h"
@@ -64,6 +69,30 @@ TEST(AtomicFile, IsOnTheDiskBeforeItHasItsNameAndItsNameIsThereAtTheEnd) {
   synced.clear();
   writeFileAtomically(watched, "three");
   EXPECT_TRUE(synced.empty());
+}
+
+// What a signal ends while it writes leaves no half of a file behind.
+TEST(AtomicFile, LeavesNothingWhereASignalEndsTheProgram) {
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+    const TemporaryFolder folder;
+    writeBytes(folder / "a.txt", "old");
+    const pid_t child = ::fork();
+    if (child == 0) {
+      std::signal(number, SIG_DFL);
+      removeLeftoversOnSignals();
+      writeFileAtomically(folder / "a.txt", [&](const std::filesystem::path& temporary) {
+        writeBytes(temporary, "half");
+        std::raise(number);
+      });
+      ::_exit(0);
+    }
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    ASSERT_TRUE(WIFSIGNALED(status));
+    EXPECT_EQ(WTERMSIG(status), number);
+    EXPECT_EQ(folder.fileCount(), 1u);
+    EXPECT_EQ(readBytes(folder / "a.txt"), "old");
+  }
 }
 
 TEST(AtomicFile, NamesWhatIsInTheWay) {

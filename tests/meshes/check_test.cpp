@@ -242,6 +242,49 @@ TEST(Check, NotesTellOfPartsAndOfNodesAtTheSamePlace) {
   EXPECT_EQ(meshNotes(two, "m").size(), 1u);
 }
 
+// Doubles are told by the edges at the nodes themselves: elements that are far smaller or larger elsewhere in the mesh
+// neither hide them nor make them. The pairs are found again by comparing all of them.
+TEST(Check, DoublesAreToldByTheEdgesAtTheNodes) {
+  int compared = 0;
+  for (const char* element : {"tet4", "hex8", "hex20"})
+    for (const double gap : {0.9e-3, 1.1e-3})                // of the shortest edge
+      for (const double size : {1.0, 1e-5})                  // m, of a pair of cubes that meet at a gap
+        for (const double other : {1e-7, 1e-4, 1e3, 1e6}) {  // m, of a cube elsewhere
+          const Mesh one = generateBar({.size = {1, 1, 1}, .cells = {2, 2, 2}, .element = element});
+          const Eigen::Index nodes = one.nodeCount();
+          double shortest = 0.5;  // m, of a cube of 1 m
+          Mesh all = one;
+          all.X.resize(3, 3 * nodes);
+          all.X.leftCols(nodes) = size * one.X;
+          all.X.middleCols(nodes, nodes) = size * (one.X.colwise() + Eigen::Vector3d(1 + gap * shortest, 0, 0));
+          all.X.rightCols(nodes) = (other * one.X).colwise() + Eigen::Vector3d(0, 3, 0) * std::max(size, other);
+          all.nodeIds.clear();
+          for (Eigen::Index n = 0; n < 3 * nodes; ++n) all.nodeIds.push_back(1 + n);
+          MeshBlock& block = all.blocks[0];
+          for (const int copy : {1, 2})
+            for (const std::int32_t n : one.blocks[0].connectivity)
+              block.connectivity.push_back(n + copy * static_cast<std::int32_t>(nodes));
+          block.ids.clear();
+          for (std::size_t e = 0; e < block.elementCount(); ++e) block.ids.push_back(static_cast<std::int64_t>(e));
+          std::int64_t pairs = 0;
+          for (Eigen::Index a = 0; a < nodes; ++a)
+            for (Eigen::Index b = nodes; b < 2 * nodes; ++b) {
+              pairs += (all.X.col(a) - all.X.col(b)).norm() <= 1e-3 * shortest * size ? 1 : 0;
+            }
+          std::string told;
+          for (const std::string& note : meshNotes(all, "m"))
+            if (note.find("another node") != std::string::npos) told = note;
+          const std::string what = joinText(element, " ", gap, " ", size, " ", other);
+          EXPECT_EQ(pairs > 0, gap < 1e-3) << what;
+          if (pairs > 0)
+            EXPECT_THAT(told, HasSubstr(joinText("m: ", pairs, " nodes lie where another node lies"))) << what;
+          else
+            EXPECT_EQ(told, "") << what;
+          ++compared;
+        }
+  EXPECT_EQ(compared, 48);
+}
+
 TEST(Check, AnEmptyMeshIsRefused) {
   Mesh mesh;
   EXPECT_THAT(errorOf([&] { requireSound(mesh, "none"); }), HasSubstr("no elements"));

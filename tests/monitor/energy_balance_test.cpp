@@ -170,6 +170,40 @@ TEST(EnergyBalance, SumsOnlyNumbers) {
   EXPECT_NEAR(last.balanceError, -2, 1e-15);
 }
 
+// Central differences of an oscillator with a dashpot, by its recursion: what the kicks take, half of the first and of
+// the last one, and what is kept to rounding, however strong the dashpot is.
+TEST(EnergyBalance, OfAnOscillatorWithADashpotIsExact) {
+  const Body body = test::boxBody(test::allSubdivisions()[0], "linear", {1, 1, 1}, 0);
+  constexpr double m = 2, k = 50;  // kg, N/m
+  int runs = 0;
+  for (const double ratio : {0.01, 0.3, 1.0, 4.0})
+    for (const double share : {0.1, 0.5, 0.99}) {
+      const double c = ratio * 2 * std::sqrt(k * m), h = share * (std::sqrt(c * c + 4 * k * m) - c) / k;
+      EnergyBalance balance(body);
+      double x = 0.03, v = -0.4, kicks = 0, first = 0;
+      for (int step = 0; step <= 300; ++step) {
+        const double d = c * v, after = v - h * (k * x + d) / m;
+        NodeVectors positions = body.mesh().X, force = NodeVectors::Zero(3, positions.cols());
+        positions(1, 3) += x;
+        force(1, 3) = d;
+        balance.recordDamping(positions, force);
+        const double taken = balance.energies(positions, force, 0).dissipated,
+                     kept = 0.5 * m * v * after + 0.5 * k * x * x + taken;
+        if (step == 0) {
+          first = kept;
+          kicks = -0.5 * h * d * v;
+        }
+        ASSERT_NEAR(kept, first, 1e-13 * std::abs(first)) << ratio << " " << share << " " << step;
+        ASSERT_NEAR(taken, kicks + 0.5 * h * d * v, 1e-13 * std::abs(first)) << ratio << " " << share << " " << step;
+        kicks += 0.5 * h * d * (v + after);
+        v = after;
+        x += h * v;
+      }
+      ++runs;
+    }
+  EXPECT_EQ(runs, 12);
+}
+
 TEST_P(EnergyBalanceTest, SeesWhatComesFromNowhere) {
   const Body body = makeBody(test::allSubdivisions()[0]);
   EnergyBalance balance(body);

@@ -430,20 +430,23 @@ TEST_F(RanksProgram, InspectsInParts) {
   mended.X.conservativeResize(3, mended.X.cols() + 2);
   mended.X.rightCols(2).setConstant(0.5);
   mended.nodeIds.clear();
-  Mesh apart = shuffledMesh();  // two bars side by side, whose nodes meet without being joined
-  {
+  const auto add = [](Mesh& mesh, const NodeVectors& X, std::int64_t shift) {
     const Mesh other = shuffledMesh();
-    const Eigen::Index nodes = apart.X.cols();
-    NodeVectors X(3, 2 * nodes);
-    X << apart.X, (other.X.colwise() + Eigen::Vector3d(0, 0.04, 0));
-    apart.X = X;
-    for (const std::int64_t id : other.nodeIds) apart.nodeIds.push_back(id + 7);
-    for (std::size_t b = 0; b < apart.blocks.size(); ++b) {
-      for (const std::int32_t node : other.blocks[b].connectivity)
-        apart.blocks[b].connectivity.push_back(node + static_cast<std::int32_t>(nodes));
-      apart.blocks[b].ids.clear();
+    const auto nodes = static_cast<std::int32_t>(mesh.X.cols());
+    mesh.X.conservativeResize(3, nodes + X.cols());
+    mesh.X.rightCols(X.cols()) = X;
+    for (const std::int64_t id : other.nodeIds) mesh.nodeIds.push_back(id + shift);
+    for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
+      for (const std::int32_t node : other.blocks[b].connectivity) mesh.blocks[b].connectivity.push_back(node + nodes);
+      mesh.blocks[b].ids.clear();
     }
-  }
+  };
+  Mesh apart = shuffledMesh();  // two bars side by side, whose nodes meet without being joined
+  add(apart, apart.X.colwise() + Eigen::Vector3d(0, 0.04, 0), 7);
+  // The same by less than a thousandth of their edges, and a bar of far shorter ones.
+  Mesh sizes = shuffledMesh();
+  add(sizes, sizes.X.colwise() + Eigen::Vector3d(0, 0.04 + 1e-6, 0), 7);
+  add(sizes, (1e-5 * shuffledMesh().X).colwise() + Eigen::Vector3d(0, 0.2, 0), 11);
   struct Case {
     const char* name;
     const Mesh& mesh;
@@ -456,7 +459,8 @@ TEST_F(RanksProgram, InspectsInParts) {
         Case{"tetrahedra", tetrahedra, "--model neo-hookean --fix 'set:#3,40' --fix set:z-max:x", ""},
         Case{"curved", curved, "--lumping diagonal-scaling --rule hex20=gauss-3x3x3", ""}, Case{"one", single, "", ""},
         Case{"mended", mended, "", "2 nodes that no element uses are dropped"},
-        Case{"apart", apart, "", "the mesh falls into 2 parts"}}) {
+        Case{"apart", apart, "", "the mesh falls into 2 parts"},
+        Case{"sizes", sizes, "", "nodes lie where another node lies"}}) {
     SCOPED_TRACE(one.name);
     const std::string text = std::string(one.name) + ".msh", binary = std::string(one.name) + "_binary.msh";
     writeMesh(one.mesh, folder_.path() / text, MeshFormat::msh41);
