@@ -16,6 +16,7 @@ struct StudyTable {
   std::string title;                 // one line, human-readable
   std::vector<std::string> columns;  // with units, e.g. "h (s)"
   std::vector<std::vector<Cell>> rows;
+  std::vector<std::string> descriptions = {};  // of the columns, one each or none: then the names say enough
 };
 
 /// A measured number and the limit that it is held to. No study says itself whether it passed: that follows from the
@@ -59,12 +60,19 @@ struct StudySurfaces {
   std::vector<Panel> panels;
 };
 
+/// A file that belongs to the tables.
+struct StudyFile {
+  std::string name;  // a path below the folder of the results
+  std::string bytes;
+};
+
 struct StudyReport {
   std::string study;
   std::vector<StudyTable> tables;
   std::vector<StudyCheck> checks;
   std::vector<StudyFigure> figures;
   std::vector<StudySurfaces> surfaces = {};
+  std::vector<StudyFile> files = {};
 
   bool passed() const {
     for (const StudyCheck& check : checks)

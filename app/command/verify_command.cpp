@@ -1,5 +1,8 @@
+#include <optional>
+
 #include <ringwatch/app/command/command.h>
 #include <ringwatch/app/command/help.h>
+#include <ringwatch/app/command/study_data.h>
 #include <ringwatch/app/command/verify.h>
 #include <ringwatch/app/output/progress.h>
 #include <ringwatch/app/output/provenance.h>
@@ -18,7 +21,8 @@ struct VerifyCommand final : Command {
     CLI::App* command = app.add_subcommand("verify", "hold elements and integrators to analytic answers");
     command->add_option("STUDY", studies, "studies to run, or all (default: all)")->type_name("STUDY");
     json.declare(*command, "results");
-    command->add_option("--out", folder, "folder for pictures, made when missing")->type_name("DIR");
+    command->add_option("--out", folder, "folder for pictures and tables (CSV, datapackage.json), made when missing")
+        ->type_name("DIR");
     command->add_option("--report", page, pageHelp)->type_name("FILE");
     command->add_flag("--quick", quick,
                       "coarser and shorter, on one thread: about a minute of processor time for all studies");
@@ -30,6 +34,7 @@ struct VerifyCommand final : Command {
   ExitStatus execute() override {
     bool passed = true;
     ProgressLine line(true);
+    std::optional<StudyData> data;
     StudyProgress progress;
     progress.begins = [&](const StudyInfo& study, std::size_t number, std::size_t count) {
       if (number == 1) makeFolderOfPictures(folder);
@@ -40,7 +45,10 @@ struct VerifyCommand final : Command {
       line.clear();
       passed = passed && report.passed();
       if (!json.takesStandardOutput()) printOut(studyText(report) + "\n");
-      if (!folder.empty()) drawInto(folder, report);
+      if (folder.empty()) return;
+      drawInto(folder, report);
+      if (!data) data.emplace(folder, call.typed);
+      data->add(report);
     };
     const std::vector<StudyReport> reports =
         runStudies(studies, quick ? StudyEffort::quick : StudyEffort::full, progress);

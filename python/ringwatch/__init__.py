@@ -40,6 +40,7 @@ from ._ringwatch import (
 from ._convert import mesh_from
 from ._device_monitor import DeviceMonitor
 from ._run import Audit, Comparison, RunResult, audit, compare, report, run
+from ._study import load_study
 from ._suggest import suggest
 from ._verification import judge, verify
 
@@ -73,6 +74,7 @@ __all__ = [
     "inspect",
     "judge",
     "load_mesh",
+    "load_study",
     "mesh_from",
     "metric_names",
     "report",

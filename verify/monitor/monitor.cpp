@@ -138,7 +138,7 @@ void studyDrift(StudyReport& report, StudyEffort effort) {
       "drift",
       "The incremental nodal bound along random paths, every element checked against an exact evaluation at every "
       "observation",
-      {"element", "law", "element and state trials", "evaluated (%)", "violations", "least margin (relative)"},
+      {"element", "law", "element and state trials", "evaluated (%)", "violations", "least margin, relative"},
       {}};
   const std::int64_t wanted = effort == StudyEffort::full ? 10'400'000 : 80'000;
   std::vector<const ElementInfo*> elements;

@@ -38,84 +38,42 @@ Mesh bar(std::string_view element, int cells) {
   return generateBar(options);
 }
 
-/// x = 0 is held, the other end moves at a velocity (m/s), or turns at a rate (1/s) to begin with.
-Body movedBar(std::string_view element, int cells, const Eigen::Vector3d& velocity, double rate) {
-  Body body(bar(element, cells), makeMaterial("stvk", young, poisson, density));
-  for (const std::int32_t node : body.mesh().nodeSets.at("x-min")) body.constraints().fix(node);
-  for (const std::int32_t node : body.mesh().nodeSets.at("x-max")) {
-    const Eigen::Vector3d arm = body.mesh().X.col(node) - Eigen::Vector3d(0.2, 0.02, 0.02);
-    const Eigen::Vector3d v = velocity + rate * Eigen::Vector3d(0, -arm[2], arm[1]);
-    for (int c = 0; c < 3; ++c) body.constraints().move(node, c, v[c]);
-  }
-  return body;
-}
-
-/// A ball held at a few nodes near its top, in a field of force that grows toward its bottom.
-Body hangingBall(int cells) {
-  BallOptions options;
-  options.radius = 0.05;
-  options.cells = cells;
-  Body body(generateBall(options), makeMaterial("stvk", young, poisson, density));
-  for (std::int32_t node = 0; node < body.nodeCount(); ++node)
-    if (body.mesh().X(2, node) > 0.8 * options.radius) body.constraints().fix(node);
-  for (std::int32_t node = 0; node < body.nodeCount(); ++node)
-    body.externalForce()(2, node) = -body.lumpedMass()[node] * 250 * (1 - body.mesh().X(2, node) / options.radius);
-  return body;
-}
-
 void runHistory(StudyReport& report, StudyTable& table, const History& history) {
   const Body& body = history.body;
-  BodySystem system(body);
-  State state = gentleStart(system);
-  SymplecticEuler integrator;
-  MonitorOptions options;
-  options.limit = limit;
-  options.budget = infinity;
-  StabilityMonitor monitor(body, options);
-  EnergyBalance balance(body);
-  StepEvaluation evaluation;
-  evaluation.wantsEnergy = true;
   ReducedRing ring(body);
 
   StudyFigure figure = figureOf("monitor-history-" + history.name, history.title, "time (s)", "step (s)", false,
                                 {"exact", "safe, proven", "optimistic, proven", "reduced 1-ring", "step of the run",
                                  "first violated", "energy off by 10 %"});
-  const auto mark = [&](std::size_t curve, double value) {
-    figure.curves[curve].x.push_back(state.time);
-    figure.curves[curve].y.push_back(value);
-  };
   const int sampleEvery = std::max(1, history.steps / 200);
   std::vector<double> width;  // of the safe side against the exact step, %
   double worstOptimistic = -infinity;
   std::int64_t compared = 0, outside = 0, falseAlarms = 0, evaluated = 0, observations = 0;
   std::int64_t violatedAt = -1, energyAt = -1, exactAt = -1, indefiniteAt = -1;
-  double largest = 0;
-  for (std::int64_t step = 0; step <= history.steps; ++step) {
-    monitor.observe(step, state.time, state.x, state.v, history.h, &evaluation);
-    system.complete(state, evaluation);
-    if (!evaluation.internalForce.allFinite() || !state.v.allFinite()) break;
-    balance.record(state.x, evaluation.internalForce);
-    const Energies energies = balance.energies(state.x, state.v, evaluation.strainEnergy);
-    const MonitorReport& seen = monitor.observeEnergies(energies);
-    largest = std::max({largest, energies.kinetic + std::abs(energies.strain), std::abs(energies.externalWork)});
-    if (energyAt < 0 && step >= settling && std::abs(energies.balanceError) > 0.1 * largest) {
-      energyAt = step;
+  followHistory(history, [&](const HistoryState& now) {
+    const MonitorReport& seen = now.seen;
+    const auto mark = [&](std::size_t curve, double value) {
+      figure.curves[curve].x.push_back(now.state.time);
+      figure.curves[curve].y.push_back(value);
+    };
+    if (now.energyOff) {
+      energyAt = now.step;
       mark(6, history.h);
     }
     evaluated += seen.elementsRefreshed;
     ++observations;
     for (const MonitorEvent& event : seen.newEvents)
-      if (event.kind == EventKind::indefinite && indefiniteAt < 0) indefiniteAt = step;
+      if (event.kind == EventKind::indefinite && indefiniteAt < 0) indefiniteAt = now.step;
     const bool alarm = seen.verdict == Verdict::violated && violatedAt < 0;
-    if (energyAt < 0 && (step % sampleEvery == 0 || alarm)) {
-      const GlobalFrequency top = globalFrequency(body, state.x, 1e-9);
+    if (energyAt < 0 && (now.step % sampleEvery == 0 || alarm)) {
+      const GlobalFrequency top = globalFrequency(body, now.state.x, 1e-9);
       if (top.converged) {
         const double exact = stepFor(top.lambda, limit);
         outside += !(seen.bracket->safe <= exact * (1 + ofTheReference)) ||
                    !(seen.bracket->optimistic >= exact * (1 - ofTheReference));
         falseAlarms += alarm && exact >= history.h * (1 + ofTheReference);
         ++compared;
-        if (exactAt < 0 && exact < history.h) exactAt = step;
+        if (exactAt < 0 && exact < history.h) exactAt = now.step;
         // How tight it is counts until the collapse.
         if (indefiniteAt < 0) {
           width.push_back(percentBelow(seen.bracket->safe, exact));
@@ -124,17 +82,15 @@ void runHistory(StudyReport& report, StudyTable& table, const History& history) 
         mark(0, exact);
         mark(1, seen.bracket->safe);
         mark(2, seen.bracket->optimistic);
-        mark(3, stepFor(ring.evaluate(state.x).highest, limit));
+        mark(3, stepFor(ring.evaluate(now.state.x).highest, limit));
         mark(4, history.h);
       }
     }
     if (alarm) {
-      violatedAt = step;
+      violatedAt = now.step;
       mark(5, history.h);
     }
-    if (energyAt >= 0) break;
-    integrator.advance(system, state, history.h);
-  }
+  });
   const auto elements = static_cast<double>(body.mesh().elementCount());
   table.rows.push_back({history.name, static_cast<std::int64_t>(elements), history.h,
                         *std::min_element(width.begin(), width.end()), median(width),
@@ -155,6 +111,58 @@ void runHistory(StudyReport& report, StudyTable& table, const History& history) 
 }
 
 }  // namespace
+
+Body movedBar(std::string_view element, int cells, const Eigen::Vector3d& velocity, double rate, std::string_view law) {
+  Body body(bar(element, cells), makeMaterial(law, young, poisson, density));
+  for (const std::int32_t node : body.mesh().nodeSets.at("x-min")) body.constraints().fix(node);
+  for (const std::int32_t node : body.mesh().nodeSets.at("x-max")) {
+    const Eigen::Vector3d arm = body.mesh().X.col(node) - Eigen::Vector3d(0.2, 0.02, 0.02);
+    const Eigen::Vector3d v = velocity + rate * Eigen::Vector3d(0, -arm[2], arm[1]);
+    for (int c = 0; c < 3; ++c) body.constraints().move(node, c, v[c]);
+  }
+  return body;
+}
+
+Body hangingBall(std::string_view element, int cells, std::string_view law) {
+  BallOptions options;
+  options.radius = 0.05;
+  options.cells = cells;
+  options.element = element;
+  Body body(generateBall(options), makeMaterial(law, young, poisson, density));
+  for (std::int32_t node = 0; node < body.nodeCount(); ++node)
+    if (body.mesh().X(2, node) > 0.8 * options.radius) body.constraints().fix(node);
+  for (std::int32_t node = 0; node < body.nodeCount(); ++node)
+    body.externalForce()(2, node) = -body.lumpedMass()[node] * 250 * (1 - body.mesh().X(2, node) / options.radius);
+  return body;
+}
+
+void followHistory(const History& history, const std::function<void(const HistoryState&)>& visit) {
+  const Body& body = history.body;
+  BodySystem system(body);
+  State state = gentleStart(system);
+  SymplecticEuler integrator;
+  MonitorOptions options;
+  options.limit = limit;
+  options.budget = infinity;
+  StabilityMonitor monitor(body, options);
+  EnergyBalance balance(body);
+  StepEvaluation evaluation;
+  evaluation.wantsEnergy = true;
+  double largest = 0;
+  for (std::int64_t step = 0; step <= history.steps; ++step) {
+    monitor.observe(step, state.time, state.x, state.v, history.h, &evaluation);
+    system.complete(state, evaluation);
+    if (!evaluation.internalForce.allFinite() || !state.v.allFinite()) break;
+    balance.record(state.x, evaluation.internalForce);
+    const Energies energies = balance.energies(state.x, state.v, evaluation.strainEnergy);
+    const MonitorReport& seen = monitor.observeEnergies(energies);
+    largest = std::max({largest, energies.kinetic + std::abs(energies.strain), std::abs(energies.externalWork)});
+    const bool off = step >= settling && std::abs(energies.balanceError) > 0.1 * largest;
+    visit({step, state, seen, energies, off});
+    if (off) break;
+    integrator.advance(system, state, history.h);
+  }
+}
 
 State gentleStart(const BodySystem& system) {
   State state = system.initialState();
@@ -195,7 +203,7 @@ std::vector<History> monitorHistories(StudyEffort effort) {
   add("twisted-tet4", "Bar of tetrahedra, its end turned", movedBar("tet4", cells, Eigen::Vector3d::Zero(), 3 * cells),
       0.9, 4000, false);
   add("compressed-tet4", "Bar of tetrahedra, compressed", movedBar("tet4", cells, push, 0), 0.5, 4000, true);
-  add("hanging-ball", "Ball held at its top, in a field of force", hangingBall(full ? 8 : 5), 0.9, 4000, false);
+  add("hanging-ball", "Ball held at its top, in a field of force", hangingBall("tet4", full ? 8 : 5), 0.9, 4000, false);
   if (full) {
     add("slowly-pulled-tet4", "Bar of tetrahedra, pulled slowly", movedBar("tet4", cells, slow, 0), 0.85, 12000, false);
     add("pulled-wedge6", "Bar of wedges, pulled at its end", movedBar("wedge6", cells, pull, 0), 0.85, 4000, false);

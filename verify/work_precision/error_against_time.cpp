@@ -208,8 +208,8 @@ std::vector<ErrorCost> runsOn(const Choice& choice, const Motion& motion, const 
                       {},
                       reference.error,
                       [&](const IntegratorInfo& info, double h) { return partitionForStep(body, {}, info, h); },
-                      [&](const NodeVectors& x) {
-                        return (atProbes(x, probes) - uniform - reference.end).norm() / reference.end.norm();
+                      [&](const State& end) {
+                        return (atProbes(end.x, probes) - uniform - reference.end).norm() / reference.end.norm();
                       }};
   std::vector<ErrorCost> runs;
   const auto keep = [&](const WorkPrecisionRun& run) {

@@ -185,7 +185,7 @@ WorkPrecisionRun runPrepared(const WorkPrecisionCase& c, std::string_view name, 
   }
   run.seconds = least;
   if (run.reason.empty())
-    run.error = c.errorOf ? c.errorOf(state.x) : (state.x - c.reference).norm() / (c.reference - c.start.x).norm();
+    run.error = c.errorOf ? c.errorOf(state) : (state.x - c.reference).norm() / (c.reference - c.start.x).norm();
   return run;
 }
 

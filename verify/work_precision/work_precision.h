@@ -30,8 +30,8 @@ struct WorkPrecisionCase {
     double stiffShare;
   };
   std::function<Parts(const IntegratorInfo&, double h)> split;
-  /// The error of positions at the end; empty: |x - reference| over |reference - start|.
-  std::function<double(const NodeVectors& x)> errorOf = {};
+  /// The error of the state at the end; empty: |x - reference| over |reference - start|.
+  std::function<double(const State& end)> errorOf = {};
 };
 
 /// One integrator at one step.

@@ -1,0 +1,61 @@
+// The study of published values as a whole: everything holds, each value has a source, and deviations shrink with the
+// mesh.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+#include <ringwatch/verify/literature/literature.h>
+
+#include "report_tools.h"
+
+namespace ringwatch {
+namespace {
+
+const StudyReport& quickReport() {
+  static const StudyReport report = verifyLiterature(StudyEffort::quick);
+  return report;
+}
+double numberAt(const std::vector<StudyTable::Cell>& row, std::size_t column) { return std::get<double>(row[column]); }
+
+TEST(Literature, EveryValueAgrees) { test::expectHolds(quickReport(), 60); }
+
+TEST(Literature, NamesASourceForEveryValue) {
+  for (const StudyTable& table : quickReport().tables)
+    for (const auto& row : table.rows) {
+      EXPECT_FALSE(std::get<std::string>(row[1]).empty()) << table.name;
+      EXPECT_FALSE(std::get<std::string>(row[2]).empty()) << table.name;
+    }
+  const std::set<std::string> sources = test::textsOf(test::tableOf(quickReport(), "frequencies"), 1);
+  EXPECT_GE(sources.size(), 5U);
+}
+
+TEST(Literature, BarsConvergeByTheSecondOrder) {
+  // A fourth of the size: a sixteenth of the deviation.
+  std::map<std::string, double> deviations;
+  for (const auto& row : test::tableOf(quickReport(), "frequencies").rows)
+    deviations[std::get<std::string>(row[0])] = numberAt(row, 5);
+  for (const char* const ends : {"free-free", "fixed-free", "fixed-fixed"}) {
+    const std::string bar = std::string("bar, ") + ends + ", ";
+    EXPECT_NEAR(deviations.at(bar + "4 elements, mode 1") / deviations.at(bar + "16 elements, mode 1"), 16, 0.5)
+        << ends;
+  }
+}
+
+TEST(Literature, AThickPlateLiesBelowAThinOne) {
+  // Kirchhoff's plate, whose frequencies are closed: pi² (m² + n²) h/a² sqrt(E/(12 (1 - nu²) rho)) / 2 pi. Shear and
+  // rotary inertia lower them, by some per cent at a tenth of the length.
+  const double kirchhoff = M_PI * M_PI * 2 / 100 * std::sqrt(200e9 / (12 * (1 - 0.09) * 8000)) / (2 * M_PI);
+  int found = 0;
+  for (const auto& row : test::tableOf(quickReport(), "frequencies").rows) {
+    const auto& name = std::get<std::string>(row[0]);
+    if (name.find("elastic plate, mode 1, 1") != 0 && name.find("FV52, mode 4") != 0) continue;
+    ++found;
+    EXPECT_LT(numberAt(row, 4), kirchhoff) << name;
+    EXPECT_GT(numberAt(row, 4), 0.9 * kirchhoff) << name;
+  }
+  EXPECT_EQ(found, 2);
+}
+
+}  // namespace
+}  // namespace ringwatch
