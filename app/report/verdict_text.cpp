@@ -281,6 +281,8 @@ std::string stepRoundedUp(double step) { return rounded(step, 1); }
 
 /// Of the body's mass; more is another body.
 constexpr double mostMassToAdd = 0.05;
+/// Gain of time from which a handler is advised: one call measures that much more than another.
+constexpr double worthGaining = 1.05;
 
 std::vector<std::string> remediesFor(const WhatIf& row, const RunAnalysis& analysis) {
   std::vector<std::string> remedies;
@@ -297,7 +299,7 @@ std::vector<std::string> remediesFor(const WhatIf& row, const RunAnalysis& analy
     gains += fmt::format("{}{} {:.2g} times", gains.empty() ? "" : ", ", trial.handler, trial.gain);
     if (trial.gain > most) most = trial.gain, best = trial.handler;
   }
-  if (most > 1)
+  if (most > worthGaining)
     remedies.push_back(
         fmt::format("Let a handler take {}: [handler] method = \"{}\". Measured when this page was "
                     "written{}, it takes the run {:.2g} times as far in the same wall time as the integrator alone at "
@@ -305,8 +307,8 @@ std::vector<std::string> remediesFor(const WhatIf& row, const RunAnalysis& analy
                     inTheWay, best, watched, most, gains));
   else if (most > 0)
     remedies.push_back(
-        fmt::format("A handler could take {}, but a smaller step is cheaper: measured when this page was written{}, "
-                    "handlers take the run less far in the same wall time than the integrator alone at the safe step "
+        fmt::format("A handler could take {}, but a smaller step costs no more: measured when this page was written{}, "
+                    "handlers take the run no farther in the same wall time than the integrator alone at the safe step "
                     "({}).",
                     inTheWay, watched, gains));
   else if (analysis.countedBy.empty())
