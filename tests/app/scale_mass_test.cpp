@@ -59,7 +59,7 @@ where = "x < 1e-6"
       "run two.toml --quiet --out h --set handler.method=mass-scaling --set integrator.end=1e-2 "
       "--set integrator.step=" +
       test::digits(step);
-  for (const char* margin : {"", " --set handler.margin=0.3"}) {
+  for (const char* margin : {"", " --set handler.method=mass-scaling --set handler.margin=0.3"}) {
     ASSERT_LE(call(handled + margin).status, 3);
     const Json added = json("h/summary.json")["handler"]["added_mass_kg"];
     const Json plans = parse(call("scale-mass two.toml --json - --step " + test::digits(step) + margin).out)["plans"];
