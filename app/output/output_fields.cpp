@@ -544,8 +544,8 @@ constexpr OutputField massPlan[] = {
     {"notes[]", "", "what these numbers do not cover", F::text},
     {"needed", "", "whether the step needs added mass", F::boolean},
     {"plans", "",
-     "where mass is needed: by_node is the little mass that is planned here, by_element the usual formula, by_handler "
-     "what the handler mass-scaling adds, with its room, where the scene takes it",
+     "where mass is needed: by_node is the little mass planned here, by_element the usual formula, by_handler that of "
+     "mass-scaling, where it goes",
      F::object, P::sometimes},
     {"plans.*.added_mass", "kg", "in all"},
     {"plans.*.added_share", "", "of the body's mass"},
