@@ -181,11 +181,11 @@ void runThose(std::vector<Way>& ways, const AdvisedRuns& runs, double time, doub
 }
 
 std::string tellRuns(const std::vector<Way>& ways, const AdvisedRuns& runs, Json& json) {
-  json["runs"] = Json{{"steps", runs.steps()}, {"time", runs.time()}};
+  json["runs"] = Json{{"steps", runs.steps()}, {"time", runs.time()}, {"mode", std::string(runs.mode())}};
   std::string text = fmt::format(
-      "runs over {} steps, {:.6g} s, watched, handlers with on_violation = \"handle\":\n"
+      "runs over {} steps, {:.6g} s, watched in mode {}, handlers with on_violation = \"handle\":\n"
       "  {:<18} {:>11} {:>13} {:>9} {:>9}\n",
-      runs.steps(), runs.time(), "", "steps", "computing, s", "gain", "error");
+      runs.steps(), runs.time(), runs.mode(), "", "steps", "computing, s", "gain", "error");
   if (!runs.noReference().empty()) {
     json["runs"]["no_reference"] = runs.noReference();
     text += fmt::format("  errors are not known: {}\n", runs.noReference());
@@ -329,7 +329,7 @@ AdviseResult adviseScene(const AdviseOptions& options) {
   json["time"] = time;
   json["allowed_error"] = options.error;
   result.text += fmt::format(
-      "trials over {:.6g} s, {:.0f} steps; error of the displacement against a converged motion:\n"
+      "trials over {:.6g} s, {:.0f} steps, not watched; error of the displacement against a converged motion:\n"
       "  {:<18} {:>11} {:>9} {:>13} {:>11} {:>9} {:>9}\n",
       time, std::ceil(time / h - 1e-9), "", "step (s)", "handled", "added mass, %", "computing, s", "gain", "error");
   for (const Way& one : ways) {

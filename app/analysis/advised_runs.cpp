@@ -11,6 +11,7 @@
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/base/scratch_folder.h>
 #include <ringwatch/handlers/selection/selection.h>
+#include <ringwatch/monitor/stability_monitor.h>
 #include <ringwatch/verify/processor_time.h>
 
 namespace ringwatch {
@@ -18,15 +19,19 @@ namespace {
 
 constexpr std::int64_t mostSamples = 16, stepsPerSample = 8;
 
-/// Keeps the positions at equal distances of time, and the time that the steps take from the first on. A state that
-/// comes a little later or earlier is moved there along its velocity.
+MonitorMode watchedBy(const Scene& scene) { return scene.proves() ? scene.mode : MonitorMode::threshold; }
+
+/// Keeps the positions at equal distances of time, and the time that the run takes, with the choice of elements and the
+/// first observation, without what a run tells of itself at its end. A state that comes a little later or earlier is
+/// moved there along its velocity.
 class Sampler final : public RunListener {
  public:
   Sampler(std::vector<NodeVectors>& moments, double interval, std::size_t count)
       : moments_(moments), interval_(interval), count_(count) {}
 
   void observe(const RunMoment& moment) override {
-    if (moment.step == 0) begin_ = threadSeconds();
+    lastStep_ = threadSeconds();
+    if (steps_++ == 0) firstStep_ = lastStep_;
     const double wanted = interval_ * static_cast<double>(moments_.size() + 1);
     if (moments_.size() + 1 < count_ && moment.time > wanted - 0.5 * moment.h)
       moments_.emplace_back(moment.state.x + (wanted - moment.time) * moment.state.v);
@@ -34,19 +39,22 @@ class Sampler final : public RunListener {
   }
   /// Call it when the run has ended.
   void complete(const RunResult& result) {
-    seconds_ = threadSeconds() - begin_;
     const double wanted = interval_ * static_cast<double>(count_);
     if (moments_.size() + 1 == count_ && last_.size() > 0)
       moments_.emplace_back(result.x + (wanted - result.time) * last_);
   }
-  double seconds() const { return seconds_; }
+  /// The step after the last moment takes as long as the others do in the mean.
+  double seconds() const {
+    return lastStep_ - begin_ + (steps_ > 1 ? (lastStep_ - firstStep_) / static_cast<double>(steps_ - 1) : 0);
+  }
 
  private:
   std::vector<NodeVectors>& moments_;
   double interval_;
   std::size_t count_;
   NodeVectors last_;  // velocities before the last step
-  double begin_ = 0, seconds_ = 0;
+  std::int64_t steps_ = 0;
+  double begin_ = threadSeconds(), firstStep_ = 0, lastStep_ = 0;
 };
 
 }  // namespace
@@ -78,6 +86,8 @@ AdvisedRuns::AdvisedRuns(const SceneStart& start, double h, double own, std::int
   }
 }
 
+std::string_view AdvisedRuns::mode() const { return monitorModeName(watchedBy(start_.scene)); }
+
 AdvisedRuns::Run AdvisedRuns::handled(const std::string& handler) const {
   Moments moments;
   Run result = run({start_.scene.method, handler, steps_, OnViolation::handle, true, true}, moments);
@@ -102,7 +112,7 @@ AdvisedRuns::Run AdvisedRuns::run(const Settings& settings, Moments& moments) co
   scene.end = time();
   scene.step = time() / static_cast<double>(settings.steps);
   scene.device = RunDevice::cpu;
-  scene.mode = settings.watched ? MonitorMode::threshold : MonitorMode::metric;
+  scene.mode = settings.watched ? watchedBy(scene) : MonitorMode::metric;
   scene.metric.clear();
   scene.onViolation = settings.onViolation;
   scene.requireCertified = false;

@@ -2,13 +2,14 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <ringwatch/app/analysis/scene_start.h>
 
 namespace ringwatch {
 
-/// Runs of a scene that `ringwatch advise` decides by, made as `ringwatch run` makes them, watched in threshold mode,
+/// Runs of a scene that `ringwatch advise` decides by, made as `ringwatch run` makes them, watched in mode(),
 /// without files that stay. Handlers choose again where the explicit part is no longer certified; the explicit run
 /// reduces its step.
 class AdvisedRuns {
@@ -27,6 +28,8 @@ class AdvisedRuns {
 
   std::int64_t steps() const { return steps_; }
   double time() const { return static_cast<double>(steps_) * h_; }  // s
+  /// Of the monitor: the scene's, or threshold where that proves nothing.
+  std::string_view mode() const;
   /// The scene's integrator, in equal steps of at most the own one.
   const Run& explicitRun() const { return explicit_; }
   /// The scene's integrator with a handler, in steps of h.

@@ -679,6 +679,35 @@ void reportHandlerChoice(const Subject& subject, double h, const CriticalStep& s
           : shareText(choice["count"].get<double>() / static_cast<double>(subject.body.mesh().elementCount())));
 }
 
+/// Answers to the questions that were asked, and without one what is proven of every step. found: of all that was
+/// asked, but for the conclusion.
+std::string conclusionOf(const Subject& subject, const InspectOptions& options, const CriticalStep& step,
+                         const Json& found) {
+  std::vector<std::string> answers;
+  if (options.step)
+    answers.push_back(
+        fmt::format("a step of {:.6g} s is {}", *options.step, verdictText(verdictOfState(*options.step, step), step)));
+  if (options.prove)
+    answers.push_back(
+        fmt::format("a step of {:.6g} s is {} by a factorisation", *options.prove,
+                    verdictText(verdictNames.valueOf("verdict", found["prove"]["verdict"].get<std::string>()), step)));
+  if (const auto exact = found["critical_step"].find("exact"); exact != found["critical_step"].end())
+    answers.push_back(step.indefinite()
+                          ? indefiniteText(step)
+                          : fmt::format("the critical step lies between {:.10g} and {:.10g} s",
+                                        exact->at("safe").get<double>(), exact->at("optimistic").get<double>()));
+  if (options.stretch)
+    answers.push_back(
+        fmt::format("in every state of stretches {:.4g} to {:.4g} that is not indefinite every step up to "
+                    "{:.6g} s is proven stable",
+                    options.stretch->low, options.stretch->high, found["stretch"]["safe"].get<double>()));
+  if (const auto own = found.find("timestep"); own != found.end() && answers.empty())
+    answers.push_back(fmt::format("the file's step of {:.6g} s is {}", own->at("asked").get<double>(),
+                                  verdictText(verdictNames.valueOf("verdict", own->at("verdict").get<std::string>()),
+                                              step, subject.scene.mayBeStable)));
+  return answers.empty() ? provenText(step) : fmt::format("{}", fmt::join(answers, "; "));
+}
+
 }  // namespace
 
 InspectResult inspectMesh(const InspectOptions& options) {
@@ -722,9 +751,10 @@ InspectResult inspectMesh(const InspectOptions& options) {
   addRemedies(why, subject.body, subject.x, subject.rule(), *subject.integrator, StepWithout::proven,
               ring == metrics.end() ? nullptr : &*ring);
   result.text += reasonsText(why, "  ", "\n");
-  result.json["conclusion"] = provenText(step) + (why.is_null() ? "" : "; " + limitText(why));
+  const std::string limit = why.is_null() ? "" : "; " + limitText(why);
   if (options.step) reportStep(subject, metrics, step, *options.step, result);
   if (options.prove) sides = reportProof(subject, *options.prove, step, result);
+  result.json["conclusion"] = conclusionOf(subject, options, step, result.json) + limit;
   if (options.distribution || options.picture) reportDistribution(subject, metrics, step, options, result);
   if (options.certificate) writeCertificate(subject, step, options, sides, result);
   if (options.vtu) writeMetricsVtu(*options.vtu, subject, metrics, step, options.step, quality);

@@ -4,14 +4,19 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <optional>
+#include <string_view>
 
 #include <fmt/format.h>
 
 #include <ringwatch/app/analysis/scene_start.h>
 #include <ringwatch/app/output/report.h>
+#include <ringwatch/app/scene/capabilities.h>
 #include <ringwatch/base/error.h>
+#include <ringwatch/handlers/handler.h>
 #include <ringwatch/handlers/mass_scaling/lowest_frequencies.h>
 #include <ringwatch/handlers/mass_scaling/mass_plan.h>
+#include <ringwatch/handlers/selection/selection.h>
 #include <ringwatch/monitor/critical_step.h>
 
 namespace ringwatch {
@@ -19,6 +24,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 constexpr int frequencies = 3;
+constexpr std::string_view handlerName = "mass-scaling";
 
 /// Hz; empty where they are not known.
 std::vector<double> lowestFrequencies(const Body& body, const NodeVectors& x, const Eigen::VectorXd& mass) {
@@ -66,7 +72,7 @@ struct Told {
 };
 
 /// The plan proves `wanted`; the bracket is computed apart from it.
-Told tell(const SceneStart& start, double wanted, const char* what, const MassPlan& plan,
+Told tell(const SceneStart& start, double wanted, const std::string& what, const MassPlan& plan,
           const std::vector<double>& before) {
   const Body& body = start.body;
   const double mass = body.totalMass();
@@ -96,6 +102,15 @@ Told tell(const SceneStart& start, double wanted, const char* what, const MassPl
     told.list += fmt::format("{}{} {:.4g}", k == 0 ? "" : ", ", body.mesh().nodeId(nodes[k]), plan.added[nodes[k]]);
   if (nodes.size() > shown) told.list += fmt::format(" and {} more (--json lists all)", nodes.size() - shown);
   return told;
+}
+
+/// What the handler adds as a run begins; empty where the scene cannot take it.
+std::optional<MassPlan> planOfHandler(const SceneStart& start, const HandlerInfo& info, double h) {
+  if (!whyNoHandlers(start.scene).empty() || !whyNoHandlers(start.body, *start.integrator).empty() ||
+      !dampingRefusedBy(info, start.scene.damping).second.empty())
+    return std::nullopt;
+  return addedMassByHandler(start.body, start.state.x, makeIntegrator(start.scene.method),
+                            optionsFor(info, start.scene.handlerOptions), h);
 }
 
 }  // namespace
@@ -142,6 +157,17 @@ ScaleMassResult planMass(const ScaleMassOptions& options) {
                           addedMassByElement(start.body, start.state.x, lambda), before);
   json["plans"] = Json{{"by_node", least.json}, {"by_element", usual.json}};
   result.text += least.text + usual.text;
+  const HandlerInfo& info = *findHandler(handlerName);
+  if (const std::optional<MassPlan> plan = planOfHandler(start, info, options.step)) {
+    const double room = start.scene.handlerOptions.margin.value_or(marginFor(info, start.body));
+    const Told handled = tell(start, options.step, fmt::format("handler, {:.3g} % room", 100 * room), *plan, before);
+    json["plans"]["by_handler"] = handled.json;
+    result.text += handled.text;
+    result.text += fmt::format(
+        "  the first two are for the state at the start; the handler {} leaves room for elements that stiffen on the "
+        "way\n",
+        handlerName);
+  }
   result.text += fmt::format("  little, at nodes, by their numbers (kg): {}\n", least.list);
   if (start.scene.materials.size() > 1) {
     result.text += "  by material (kg):";
@@ -155,9 +181,10 @@ ScaleMassResult planMass(const ScaleMassOptions& options) {
   if (!before.empty() && !plan["frequencies"].empty())
     lowest = fmt::format("; the lowest frequency changes by {:+.2g} %",
                          100 * (plan["frequencies"][0].get<double>() / before[0] - 1));
-  json["conclusion"] = fmt::format("{:.3g} kg at {} nodes, {:.2g} % of the mass, prove a step of {:.6g} s{}",
-                                   plan["added_mass"].get<double>(), plan["nodes"].get<std::size_t>(),
-                                   100 * plan["added_share"].get<double>(), options.step, lowest);
+  json["conclusion"] =
+      fmt::format("{:.3g} kg at {} nodes, {:.2g} % of the mass, prove a step of {:.6g} s at the start{}",
+                  plan["added_mass"].get<double>(), plan["nodes"].get<std::size_t>(),
+                  100 * plan["added_share"].get<double>(), options.step, lowest);
   return result;
 }
 

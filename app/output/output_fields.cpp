@@ -40,6 +40,8 @@ constexpr OutputField reasons[] = {
     {"why.element.id", "", "its number in the mesh file", F::integer},
     {"why.element.node_ids[]", "", "the numbers of its nodes in the mesh file", F::integer},
     {"why.element.material", "", "number of its material, where there are several", F::integer, P::sometimes},
+    {"why.watched_safe", "s", "of a run: the safe step of its history there, where `safe` is from scratch", F::number,
+     P::sometimes},
     {"why.cause", "", "its strain and its shape in a few words", F::text},
     {"why.height", "m", "its least height in the state"},
     {"why.wave_speed", "m/s", "of pressure waves in its material, at rest"},
@@ -75,7 +77,8 @@ constexpr OutputField reasons[] = {
      F::boolean},
     {"why.mass.materials[]", "", "numbers of their materials, where there are several", F::integer},
     {"why.handler", "", "that could take them, with remesh; null where none goes with the body", F::text, P::orNull},
-    {"why.text[]", "", "the same in sentences", F::text},
+    {"why.text[]", "", "the same in sentences, but for what would help", F::text},
+    {"why.remedies[]", "", "what would help, in sentences", F::text},
 };
 
 constexpr OutputField columns[] = {
@@ -555,7 +558,9 @@ constexpr OutputField massPlan[] = {
     {"frequencies[]", "Hz", "the lowest elastic ones, without added mass; empty where they are not known"},
     {"notes[]", "", "what these numbers do not cover", F::text},
     {"needed", "", "whether the step needs added mass", F::boolean},
-    {"plans", "", "where mass is needed: by_node is the little mass that is planned here, by_element the usual formula",
+    {"plans", "",
+     "where mass is needed: by_node is the little mass planned here, by_element the usual formula, by_handler that of "
+     "mass-scaling, where it goes",
      F::object, P::sometimes},
     {"plans.*.added_mass", "kg", "in all"},
     {"plans.*.added_share", "", "of the body's mass"},
@@ -588,6 +593,7 @@ constexpr OutputField advice[] = {
     {"runs", "", "of the scene, of those that a trial leaves", F::object, P::sometimes},
     {"runs.steps", "", "that each takes, but for the integrator alone", F::integer},
     {"runs.time", "s", "of each"},
+    {"runs.mode", "", "of the monitor: that of the scene, or threshold where it proves nothing", F::text},
     {"runs.no_reference", "", "why errors of runs are not known", F::text, P::sometimes},
     {"ways", "", "what was tried, the integrator at its safe step first", F::any, P::sometimes},
     {"ways[].name", "", "of the integrator or handler", F::text},

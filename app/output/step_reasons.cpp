@@ -186,11 +186,13 @@ std::vector<std::string> remedySentences(const Json& why) {
   return sentences;
 }
 
-Json paragraph(const Json& why) {
-  const std::string where =
-      why.contains("step")
-          ? fmt::format(", at step {}, t = {:.6g} s", why["step"].get<std::int64_t>(), why["time"].get<double>())
-          : "";
+void tell(Json& why) {
+  std::string where;
+  if (why.contains("step")) {
+    where = fmt::format(", at step {}, t = {:.6g} s", why["step"].get<std::int64_t>(), why["time"].get<double>());
+    if (const double safe = why["safe"], watched = why.value("watched_safe", safe); watched != safe)
+      where += fmt::format(" (from scratch; the history has {:.4g} s there)", watched);
+  }
   const double height = why["height"], speed = why["wave_speed"];
   Json text = Json::array();
   text.push_back(fmt::format(
@@ -202,8 +204,8 @@ Json paragraph(const Json& why) {
   for (const auto& fault : stepFaultNames)
     if (has(why, fault.value))
       if (std::string sentence = faultText(fault.value, why); !sentence.empty()) text.push_back(std::move(sentence));
-  for (std::string& sentence : remedySentences(why)) text.push_back(std::move(sentence));
-  return text;
+  why["text"] = std::move(text);
+  why["remedies"] = remedySentences(why);
 }
 
 void clearRemedies(Json& why) {
@@ -307,13 +309,13 @@ void addRemedies(Json& why, const Body& body, NodeVectorsView x, const StepRule&
       }
     }
   }
-  why["text"] = paragraph(why);
+  tell(why);
 }
 
 void addParagraph(Json& why) {
   if (why.is_null()) return;
   clearRemedies(why);
-  why["text"] = paragraph(why);
+  tell(why);
 }
 
 std::string limitText(const Json& why) {
@@ -330,11 +332,20 @@ std::string limitText(const Json& why) {
                                                         why["remesh"]["elements"].get<std::size_t>()));
 }
 
-std::string reasonsText(const Json& why, std::string_view before, std::string_view after) {
+std::string reasonsText(const Json& why, std::string_view before, std::string_view after, Reasons which) {
   std::string text;
-  if (why.is_object() && why.contains("text"))
-    for (const Json& line : why["text"]) text += fmt::format("{}{}{}", before, line.get<std::string>(), after);
+  for (const char* key : {"text", "remedies"})
+    if (why.is_object() && why.contains(key) && (which == Reasons::withRemedies || key == std::string_view("text")))
+      for (const Json& line : why[key]) text += fmt::format("{}{}{}", before, line.get<std::string>(), after);
   return text;
+}
+
+std::vector<std::string> remediesOf(const Json& why) {
+  std::vector<std::string> remedies;
+  if (why.is_object() && why.contains("remedies"))
+    for (const Json& line : why["remedies"])
+      if (line.is_string()) remedies.push_back(line);
+  return remedies;
 }
 
 }  // namespace ringwatch

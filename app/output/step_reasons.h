@@ -1,5 +1,7 @@
 #pragma once
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -43,7 +45,11 @@ void addParagraph(nlohmann::ordered_json& why);
 /// "element 1357 limits the step, without it 7.1e-08 s, +7 %; no handler pays", of `why`; "" of null.
 std::string limitText(const nlohmann::ordered_json& why);
 
+enum class Reasons { alone, withRemedies };
 /// The paragraph, each of its lines between two texts; "" where there is none.
-std::string reasonsText(const nlohmann::ordered_json& why, std::string_view before, std::string_view after);
+std::string reasonsText(const nlohmann::ordered_json& why, std::string_view before, std::string_view after,
+                        Reasons which = Reasons::withRemedies);
+/// What would help, in sentences; none where nothing is known.
+std::vector<std::string> remediesOf(const nlohmann::ordered_json& why);
 
 }  // namespace ringwatch

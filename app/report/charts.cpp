@@ -147,10 +147,11 @@ std::string distributionSvg(const std::vector<Distribution>& distributions, cons
     }
   if (!(least <= largest)) return {};
   constexpr double width = 900, left = 12, right = 12, row = 74, bars = 44, top = 30;
-  const double height = top + row * static_cast<double>(distributions.size()) + 34;
+  const double height = top + row * static_cast<double>(distributions.size()) + 54;
   const Axis x{least, largest, left, width - right, true};
   std::string svg = fmt::format(
-      "<svg class=\"chart\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"Histograms of the steps of elements by {} "
+      "<svg class=\"chart spread\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"Histograms of the steps of elements "
+      "by {} "
       "metrics; the table below has the numbers\">",
       width, height, distributions.size());
   double y = top;
@@ -180,14 +181,13 @@ std::string distributionSvg(const std::vector<Distribution>& distributions, cons
     if (!(step > 0) || !std::isfinite(step)) continue;
     svg += fmt::format("<path class=\"curve {}\" d=\"M{:.1f} {}V{:.1f}\"><title>{} {} s</title></path>", name, x(step),
                        top - 4, y - 6, text, shown);
-    svg +=
-        fmt::format("<path class=\"curve {}\" d=\"M{} 12h22\"/><text class=\"tick\" x=\"{}\" y=\"16\">{} {} s</text>",
-                    name, label, label + 28, text, shown);
-    label += 200;
+    svg += fmt::format("<path class=\"curve {}\" d=\"M{} 12h22\"/><text class=\"tick\" x=\"{}\" y=\"18\">{}</text>",
+                       name, label, label + 28, text);
+    label += 220;
   }
   for (const double tick : x.ticks(6))
     svg += fmt::format("<text class=\"tick\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{:.3g}</text>",
-                       std::clamp(x(tick), 24.0, width - 24), y + 12, tick);
+                       std::clamp(x(tick), 50.0, width - 50), y + 18, tick);
   svg += fmt::format(
       "<text class=\"tick\" x=\"{}\" y=\"{:.1f}\" text-anchor=\"end\">step of the element (s), heights "
       "logarithmic</text>",

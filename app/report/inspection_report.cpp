@@ -52,7 +52,7 @@ PageVerdict verdictOf(const Inspection& inspection, const std::optional<RunAnaly
       "The critical step of the mesh {} lies between {} s, up to which it is proven {}, and {} s, above which "
       "it is proven unstable.{}",
       inspection.state, stepRoundedDown(step.safe), stableUpTo(step), stepRoundedUp(step.optimistic),
-      reasonsText(inspection.json["why"], " ", ""));
+      reasonsText(inspection.json["why"], " ", "", Reasons::alone));
   if (step.indefinite())
     verdict.sentence +=
         " The tangent has a negative eigenvalue there: no step cures that, the state itself is unstable.";
@@ -66,6 +66,7 @@ PageVerdict verdictOf(const Inspection& inspection, const std::optional<RunAnaly
     const WhatIf* row = analysis->inTheWay();
     more = row && !row->way.all.empty() ? remediesFor(*row, *analysis) : largerSteps(*analysis);
   }
+  if (more.empty()) more = remediesOf(inspection.json["why"]);
   verdict.remedies.insert(verdict.remedies.end(), more.begin(), more.end());
   return verdict;
 }

@@ -70,7 +70,7 @@ double secondsOfStep(Integrator& integrator, const Body& body, const RayleighDam
 }
 
 /// Every handler that keeps the integrator's accuracy, from the state at a step h. explicitCost: wall time per
-/// simulated time of the integrator alone at the safe step.
+/// simulated time of the integrator alone at the safe step, with the monitor.
 std::vector<HandlerTrial> tryHandlers(const AnalysedState& state, double h, double explicitCost) {
   std::vector<HandlerTrial> trials;
   for (const HandlerEntry& entry : allHandlers()) {
@@ -95,7 +95,7 @@ std::vector<HandlerTrial> tryHandlers(const AnalysedState& state, double h, doub
       }
       const double seconds = secondsOfStep(*handler, body, state.damping, state.x, h);
       if (std::isfinite(seconds))
-        trial.gain = explicitCost / (seconds / h);
+        trial.gain = explicitCost / ((seconds + state.monitorSeconds) / h);
       else
         trial.whyNot = "its steps fail from this state";
     } catch (const std::runtime_error& fault) {
@@ -119,7 +119,8 @@ void addWhatIf(const AnalysedState& state, RunAnalysis& analysis) {
   steps.erase(std::unique(steps.begin(), steps.end()), steps.end());
 
   const auto explicitly = makeIntegrator(state.integrator.name);
-  const double explicitCost = secondsOfStep(*explicitly, state.body, state.damping, state.x, safe) / safe;
+  const double explicitCost =
+      (secondsOfStep(*explicitly, state.body, state.damping, state.x, safe) + state.monitorSeconds) / safe;
   for (const double h : steps) {
     WhatIf row;
     row.h = h;
@@ -181,6 +182,7 @@ RunAnalysis analyseState(const AnalysedState& state) {
   analysis.optimistic = state.optimistic;
   analysis.taken = state.taken;
   analysis.elements = state.body.mesh().elementCount();
+  analysis.monitorSeconds = state.monitorSeconds;
   std::vector<MetricResult> metrics;
   for (const WaveRule& wave : waveRules) metrics.push_back(evaluateMetric(wave.metric, state.body, state.x));
   for (const char* name : provenSides) metrics.push_back(evaluateMetric(name, state.body, state.x));
@@ -273,7 +275,8 @@ RunAnalysis withoutLimit(const Scene& scene, std::size_t elements) {
 }  // namespace
 
 RunAnalysis analyseRun(const std::filesystem::path& folder, const std::filesystem::path& frame,
-                       std::optional<double> safe, std::optional<double> optimistic, std::optional<double> taken) {
+                       std::optional<double> safe, std::optional<double> optimistic, std::optional<double> taken,
+                       double monitorSeconds) {
   const Scene scene = sceneOfRun(folder);
   const std::vector<PvdEntry> frames = framesOfRun(folder);
   const auto entry = std::ranges::find(frames, frame, &PvdEntry::file);
@@ -297,7 +300,8 @@ RunAnalysis analyseRun(const std::filesystem::path& folder, const std::filesyste
       optimistic = bracket.optimistic;
     }
   }
-  return analyseState({body, state.x, *integrator, rule, scene.damping, safe, optimistic, taken, whyNoHandlers(scene)});
+  return analyseState(
+      {body, state.x, *integrator, rule, scene.damping, safe, optimistic, taken, whyNoHandlers(scene), monitorSeconds});
 }
 
 RunAnalysis analyseLargeRun(const std::filesystem::path& folder, const VtuFrame& frame) {

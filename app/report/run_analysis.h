@@ -27,7 +27,8 @@ struct RuleStep {
 struct HandlerTrial {
   std::string handler;
   std::string whyNot;  // it does not go with this body; then nothing else counts
-  /// Simulated time per wall time over that of the integrator alone at the safe step, measured in a few steps.
+  /// Simulated time per wall time over that of the integrator alone at the safe step, measured in a few steps; both
+  /// with the monitor's time of a step, as far as that is known.
   double gain = 0;
   std::optional<double> addedMass;  // kg, of a handler that adds mass
   double addedShare = 0;            // of the body's mass
@@ -58,6 +59,7 @@ struct RunAnalysis {
   std::string whyNoHandlers;  // then: why none was made
   bool couldTakeHandler = true;
   std::string shapesAt = "at rest";  // the state whose shapes are called bad
+  double monitorSeconds = 0;         // of wall time a step, that gains count; 0: they are of steps that nothing watches
 
   /// The row of the step taken, where that is not proven as it is; nullptr for none.
   const WhatIf* inTheWay() const;
@@ -72,6 +74,7 @@ struct AnalysedState {
   RayleighDamping damping;
   std::optional<double> safe, optimistic, taken;  // s
   std::string whyNoHandlers = {};                 // what the scene of the state says of that; "" for nothing
+  double monitorSeconds = 0;                      // as in RunAnalysis
 };
 
 /// Elements of the largest mesh whose metrics are evaluated. They take about 30 µs an element of one thread.
@@ -96,10 +99,11 @@ struct AnalysedFrame {
 RunAnalysis analyseFrame(const AnalysedFrame& state);
 
 /// analyseState() of a frame of a run (its file). safe, optimistic, taken: as the frame has them; a bracket of a part
-/// of the body, as with a handler, is replaced by one of the whole body. Throws InputError and NumericalError as
-/// sceneOfRun, loadVtuState and sceneBody do.
+/// of the body, as with a handler, is replaced by one of the whole body. monitorSeconds: as in RunAnalysis. Throws
+/// InputError and NumericalError as sceneOfRun, loadVtuState and sceneBody do.
 RunAnalysis analyseRun(const std::filesystem::path& folder, const std::filesystem::path& frame,
-                       std::optional<double> safe, std::optional<double> optimistic, std::optional<double> taken);
+                       std::optional<double> safe, std::optional<double> optimistic, std::optional<double> taken,
+                       double monitorSeconds);
 /// analyseFrame() of a frame of a run that has been read. Throws InputError as sceneOfRun does.
 RunAnalysis analyseLargeRun(const std::filesystem::path& folder, const VtuFrame& frame);
 

@@ -228,6 +228,14 @@ std::optional<VtuFrame> addFrames(PageContent& page, const ReportOptions& option
   return large;
 }
 
+/// Wall time that the monitor took a step of the run, s; 0 where that is not known.
+double monitorSecondsOf(const Json& summary) {
+  const auto times = summary.find("wall_time");
+  const double steps = numberOf(summary, "steps").value_or(0);
+  if (times == summary.end() || !times->is_object() || !(steps > 0)) return 0;
+  return std::max(0.0, numberOf(*times, "monitor").value_or(0)) / steps;
+}
+
 /// Of the key frame; large: that of a mesh that is too large to be read again.
 void analyse(PageContent& page, const std::filesystem::path& folder, const std::vector<PvdEntry>& frames,
              const std::optional<VtuFrame>& large) {
@@ -248,8 +256,9 @@ void analyse(PageContent& page, const std::filesystem::path& folder, const std::
       const auto found = state.values.find(name);
       return found == state.values.end() || !std::isfinite(found->second) ? std::nullopt : std::optional(found->second);
     };
-    page.analysis = analyseRun(folder, frame.file, value(labelled("safe step (s)")),
-                               value(labelled("optimistic step (s)")), value(labelled("step (s)")));
+    page.analysis =
+        analyseRun(folder, frame.file, value(labelled("safe step (s)")), value(labelled("optimistic step (s)")),
+                   value(labelled("step (s)")), monitorSecondsOf(page.summary));
     page.analysis->where = page.where;
   } catch (const std::runtime_error& fault) {
     page.whyNoAnalysis = fmt::format("Left out: {}", fault.what());

@@ -210,6 +210,8 @@ bool couldTakeHandler(const Json& summary) {
 void adviseHandler(PageVerdict& verdict, const Json& summary, const RunAnalysis* analysis) {
   const WhatIf* row = analysis ? analysis->inTheWay() : nullptr;
   if (row && !row->way.all.empty()) return advise(verdict, remediesFor(*row, *analysis));
+  if (const std::vector<std::string> known = remediesOf(summary.value("why", Json())); !known.empty())
+    return advise(verdict, known);
   if (hasHandler(summary) || !couldTakeHandler(summary)) return;
   verdict.remedies.emplace_back(
       "Keep the step and let a handler take the elements that come into the way: [handler] method = \"imex\" with "
@@ -279,30 +281,36 @@ std::string stepRoundedUp(double step) { return rounded(step, 1); }
 
 /// Of the body's mass; more is another body.
 constexpr double mostMassToAdd = 0.05;
+/// Gain of time from which a handler is advised: one call measures that much more than another.
+constexpr double worthGaining = 1.05;
 
 std::vector<std::string> remediesFor(const WhatIf& row, const RunAnalysis& analysis) {
   std::vector<std::string> remedies;
   const std::string inTheWay = fmt::format("the {} of {} elements that are in the way of {:.4g} s {}",
                                            row.way.all.size(), analysis.elements, row.h, analysis.where);
   std::string gains, best;
+  const std::string watched =
+      analysis.monitorSeconds > 0
+          ? fmt::format(", with the {:.2g} s that the monitor takes a step", analysis.monitorSeconds)
+          : ", without a monitor";
   double most = 0;
   for (const HandlerTrial& trial : row.trials) {
     if (!trial.whyNot.empty() || trial.addedMass) continue;
     gains += fmt::format("{}{} {:.2g} times", gains.empty() ? "" : ", ", trial.handler, trial.gain);
     if (trial.gain > most) most = trial.gain, best = trial.handler;
   }
-  if (most > 1)
+  if (most > worthGaining)
     remedies.push_back(
         fmt::format("Let a handler take {}: [handler] method = \"{}\". Measured when this page was "
-                    "written, it takes the run {} as far in the same wall time as the integrator alone at the safe "
-                    "step ({}).",
-                    inTheWay, best, fmt::format("{:.2g} times", most), gains));
+                    "written{}, it takes the run {:.2g} times as far in the same wall time as the integrator alone at "
+                    "the safe step ({}).",
+                    inTheWay, best, watched, most, gains));
   else if (most > 0)
     remedies.push_back(
-        fmt::format("A handler could take {}, but a smaller step is cheaper: measured when this page was written, "
-                    "handlers take the run less far in the same wall time than the integrator alone at the safe step "
+        fmt::format("A handler could take {}, but a smaller step costs no more: measured when this page was written{}, "
+                    "handlers take the run no farther in the same wall time than the integrator alone at the safe step "
                     "({}).",
-                    inTheWay, gains));
+                    inTheWay, watched, gains));
   else if (analysis.countedBy.empty())
     remedies.push_back(fmt::format("Let a handler take {}: [handler] method = \"imex\".", inTheWay));
   else if (analysis.couldTakeHandler)
@@ -481,7 +489,9 @@ constexpr Remedy remedies[] = {
            "Nothing has to be done about the step." +
            (room ? fmt::format(" A step of {} s was proven in every state on record.", stepRoundedDown(least->safe))
                  : std::string()));
-       if (run.analysis && !run.handled) advise(verdict, largerSteps(*run.analysis));
+       if (run.handled) return;
+       const std::vector<std::string> measured = run.analysis ? largerSteps(*run.analysis) : std::vector<std::string>();
+       advise(verdict, measured.empty() ? remediesOf(run.summary.value("why", Json())) : measured);
      }},
     {[](const Diagnosis& run, Tone tone) { return isStable(run, tone) && run.discreteSetsStep; },
      [](PageVerdict& verdict, const Diagnosis& run) {
@@ -549,7 +559,7 @@ PageVerdict verdictOf(const Json& summary, const std::optional<RunHistory>& hist
   if (verdict.tone != Tone::bad) text += roomText(summary, history);
   if (run.discrete.is_object() && !run.governs) text += governedText(run.discrete);
   text += handlerText(summary);
-  if (const Json* why = objectIn(summary, "why")) text += reasonsText(*why, " ", "");
+  if (const Json* why = objectIn(summary, "why")) text += reasonsText(*why, " ", "", Reasons::alone);
   for (const Remedy& remedy : remedies)
     if (remedy.applies(run, verdict.tone)) remedy.add(verdict, run);
   return verdict;

@@ -109,6 +109,7 @@ void RunRecorder::completeReasons(Body& body) {
   Json ofStep = stepReasons(body, leastX_, rule, integrator, step);
   if (const Json& most = why["optimistic"]; !ofStep.is_null() && (most.is_null() || step.safe <= most.get<double>())) {
     for (const char* key : {"step", "time"}) ofStep[key] = why[key];
+    ofStep["watched_safe"] = why["safe"];
     why = std::move(ofStep);
   }
   addRemedies(why, body, leastX_, rule, integrator, StepWithout::guessed);

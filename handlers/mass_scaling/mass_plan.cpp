@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -27,6 +28,14 @@ Body withAddedMass(const Body& body, const Eigen::VectorXd& added) {
   return heavier;
 }
 
+MassPlan addedMassByHandler(const Body& body, const NodeVectors& x, std::unique_ptr<Integrator> base,
+                            HandlerOptions options, double h) {
+  Body heavier = copyOf(body);
+  MassScaling handler(heavier, std::move(base), std::move(options));
+  handler.prepare(x, h);
+  return {(heavier.lumpedMass() - body.lumpedMass()).cwiseMax(0)};
+}
+
 namespace {
 
 /// A few seconds for all factorisations and modes of a plan.
@@ -35,15 +44,10 @@ constexpr double mostOperations = 2e9;
 MassPlan planByNodes(const Body& body, const NodeVectors& x, double lambda) {
   constexpr int rounds = 12, sweeps = 12;
   const Eigen::VectorXd& own = body.lumpedMass();
-  MassPlan best{Eigen::VectorXd::Zero(body.nodeCount())};
-  {
-    Body heavier = withAddedMass(body, best.added);
-    HandlerOptions options;
-    options.margin = 0.0;
-    MassScaling handler(heavier, makeIntegrator("symplectic-euler"), std::move(options));
-    handler.prepare(x, 2 / std::sqrt(lambda));
-    best.added = (heavier.lumpedMass() - own).cwiseMax(0);
-  }
+  HandlerOptions options;
+  options.margin = 0.0;
+  MassPlan best =
+      addedMassByHandler(body, x, makeIntegrator("symplectic-euler"), std::move(options), 2 / std::sqrt(lambda));
   Eigen::VectorXd added = best.added;
   for (int round = 0; round < rounds && best.total() > 0; ++round) {
     const Body heavier = withAddedMass(body, added);

@@ -1,7 +1,10 @@
 #pragma once
+#include <memory>
+
 #include <Eigen/Core>
 
 #include <ringwatch/body/body.h>
+#include <ringwatch/handlers/handler.h>
 
 namespace ringwatch {
 
@@ -33,5 +36,10 @@ MassPlan planAddedMass(const Body& body, const NodeVectors& x, double lambda);
 /// its own lumped mass: m_e (ω_e²/lambda - 1) where that is positive, shared as the element's mass is. Proven by
 /// Theorem 32, docs/theory/handlers.md.
 MassPlan addedMassByElement(const Body& body, const NodeVectors& x, double lambda);
+
+/// What the handler mass-scaling on `base` adds as it is prepared for steps of h (s) at x: more, since its margin
+/// leaves room for elements that stiffen along the run. The body stays as it is. Throws what Handler::prepare throws.
+MassPlan addedMassByHandler(const Body& body, const NodeVectors& x, std::unique_ptr<Integrator> base,
+                            HandlerOptions options, double h);
 
 }  // namespace ringwatch

@@ -38,6 +38,14 @@ TEST_F(Program, AdvisesByTrialsThatCompareAndRunsConfirm) {
 
   // Runs of the scene decide, here its 12 steps: the best is the fastest of those within the error.
   EXPECT_EQ(advice["runs"]["steps"], 12);
+  // They pay for the monitor that the scene asks for.
+  EXPECT_EQ(advice["runs"]["mode"], "bracket");
+  for (const auto& [asked, mode] : {std::pair{"threshold", "threshold"}, {"metric", "threshold"}})
+    EXPECT_EQ(parse(call("advise tiny.toml --step 4e-3 --time 0.02 --json - --set monitor.metric=single-element --set "
+                         "monitor.mode=" +
+                         std::string(asked))
+                        .out)["runs"]["mode"],
+              mode);
   EXPECT_FALSE(advice["runs"].contains("no_reference"));
   const Json& plainRun = plain["run"];
   int within = 0, handlers = 0, implicit = 0;

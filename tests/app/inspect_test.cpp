@@ -1,6 +1,8 @@
 // `ringwatch inspect`: its human-readable report and its files, and what it refuses.
 #include <cmath>
+#include <cstdio>
 #include <string>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -96,6 +98,9 @@ TEST_F(Program, ProvesStepsByFactorisation) {
       const auto [proof, proven] = inspect("--prove " + test::digits(share * exact));
       EXPECT_EQ(proof, wanted) << element << " " << share;
       EXPECT_EQ(proven["prove"]["verdict"], verdict) << element << " " << share;
+      EXPECT_THAT(proven["conclusion"].get<std::string>(),
+                  HasSubstr(wanted == 0 ? " s is proven stable by a factorisation; "
+                                        : " s is proven unstable by a factorisation; "));
     }
   }
   const Outcome outcome = call(std::string("inspect bar.msh --exact --prove 1e-3") + material);
@@ -104,6 +109,34 @@ TEST_F(Program, ProvesStepsByFactorisation) {
   EXPECT_THAT(outcome.out, HasSubstr("h = 0.001 s: proven stable, by a factorisation of "));
   for (const char* bad : {"0", "-1", "inf", "nan"})
     expectRefused(std::string("inspect bar.msh --prove ") + bad + material, "--prove: ");
+}
+
+// The last line answers what was asked: the figures are those of the JSON.
+TEST_F(Program, ConcludesWithTheAnswerToTheQuestion) {
+  ASSERT_EQ(call("mesh generate bar --size 0.2 0.04 0.04 --cells 10,2,2 -o bar.msh").status, 0);
+  const auto concluded = [&](const std::string& options) {
+    const Json report = parse(call("inspect bar.msh --json - " + options + material).out);
+    return std::pair{report, report["conclusion"].get<std::string>()};
+  };
+  const auto number = [](const Json& value, const char* form) {
+    char text[32];
+    std::snprintf(text, sizeof text, form, value.get<double>());
+    return std::string(text);
+  };
+  const auto [plain, nothing] = concluded("");
+  EXPECT_THAT(nothing, HasSubstr("every step up to " + number(plain["critical_step"]["safe"], "%.6g") +
+                                 " s is proven stable; "));
+  EXPECT_THAT(concluded("--step 2.5e-3").second, HasSubstr("a step of 0.0025 s is proven unstable; "));
+  EXPECT_THAT(concluded("--step 1e-3").second, HasSubstr("a step of 0.001 s is proven stable; "));
+  const auto [range, stretched] = concluded("--stretch 0.7:1.5");
+  EXPECT_THAT(stretched, HasSubstr("in every state of stretches 0.7 to 1.5 that is not indefinite every step up to " +
+                                   number(range["stretch"]["safe"], "%.6g") + " s is proven stable; "));
+  const auto [sharp, exact] = concluded("--exact");
+  EXPECT_THAT(exact, HasSubstr("the critical step lies between " +
+                               number(sharp["critical_step"]["exact"]["safe"], "%.10g") + " and "));
+  EXPECT_THAT(
+      concluded("--step 1e-3 --prove 1.5e-3").second,
+      HasSubstr("a step of 0.001 s is proven stable; a step of 0.0015 s is proven stable by a factorisation; "));
 }
 
 TEST_F(Program, InspectReportsForPeopleAndFiles) {

@@ -221,6 +221,53 @@ TEST_F(Report, SaysWhichElementWhenAndWhatToDo) {
   EXPECT_THAT(verdict["remedies"].dump(), AllOf(HasSubstr("smaller step"), HasSubstr("handler")));
 }
 
+// Why a step is small and what would help are said apart, so that nothing is advised twice and otherwise.
+TEST_F(Report, AdvisesInOnePlace) {
+  folder_.write("tiny.toml", tiny);
+  for (const char* settings : {"", "--set integrator.step=4e-3 --set integrator.end=0.2 --set output.every=1e-3"}) {
+    EXPECT_LE(call(std::string("run tiny.toml --out r --report ") + settings).status, 1);
+    const Json report = reportIn(page()), why = report["summary"]["why"], verdict = report["verdict"];
+    ASSERT_FALSE(why.is_null()) << settings;
+    const std::string sentence = verdict["sentence"], remedies = verdict["remedies"].dump();
+    EXPECT_THAT(sentence, HasSubstr(why["text"][0].get<std::string>()));
+    ASSERT_FALSE(why["remedies"].empty());
+    for (const Json& line : why["remedies"]) EXPECT_THAT(sentence, Not(HasSubstr(line.get<std::string>())));
+    EXPECT_FALSE(remedies.find("handler") != std::string::npos && remedies.find("No few") != std::string::npos);
+  }
+}
+
+// Where the monitor takes nearly all of the time, a larger step gains as much as it is larger, with every handler.
+TEST_F(Report, GainsCountTheMonitor) {
+  folder_.write("tiny.toml", tiny);
+  ASSERT_EQ(call("run tiny.toml --set integrator.step=4e-3 --set integrator.end=0.04 --set output.every=1e-3 --out r "
+                 "--set monitor.on_violation=warn")
+                .status,
+            1);
+  const auto reported = [&](double monitor) {
+    Json summary = json("r/summary.json");
+    summary["wall_time"]["monitor"] = monitor;
+    folder_.write("r/summary.json", summary.dump());
+    EXPECT_EQ(call("report r").status, 0);
+    return reportIn(page());
+  };
+  constexpr double longest = 1e6;  // s, far above all steps together
+  const Json slow = reported(longest)["analysis"], alone = reported(0)["analysis"];
+  int compared = 0, other = 0;
+  for (std::size_t row = 0; row < slow["what_if"].size(); ++row)
+    for (std::size_t i = 0; i < slow["what_if"][row]["handlers"].size(); ++i) {
+      const Json &gain = slow["what_if"][row]["handlers"][i]["gain"],
+                 &unwatched = alone["what_if"][row]["handlers"][i]["gain"];
+      if (gain.is_null()) continue;
+      // The first row is that of the safe step.
+      const double larger = slow["what_if"][row]["step"].get<double>() / slow["what_if"][0]["step"].get<double>();
+      EXPECT_NEAR(gain.get<double>() / larger, 1, 1e-3);
+      ++compared;
+      other += std::abs(unwatched.get<double>() / larger - 1) > 0.05 ? 1 : 0;
+    }
+  EXPECT_GT(compared, 0);
+  EXPECT_GT(other, 0);  // where nothing watches, steps with a handler cost more or less than those without
+}
+
 TEST(ReportHistory, ThinningKeepsEverySpikeAndVerdict) {
   RunHistory history;
   history.columns = {{"step", {}}, {"time_s", {}}, {"h_s", {}}, {"safe_s", {}}, {"kinetic_J", {}}};

@@ -54,6 +54,22 @@ where = "x < 1e-6"
   EXPECT_LT(report["plans"]["by_node"]["added_mass"], report["plans"]["by_element"]["added_mass"]);
   // The stiffer half needs more.
   EXPECT_GT(report["plans"]["by_node"]["parts"][1], report["plans"]["by_node"]["parts"][0]);
+  // The third answer is that of a run with the handler, which leaves room; both are told which question they answer.
+  const std::string handled =
+      "run two.toml --quiet --out h --set handler.method=mass-scaling --set integrator.end=1e-2 "
+      "--set integrator.step=" +
+      test::digits(step);
+  for (const char* margin : {"", " --set handler.method=mass-scaling --set handler.margin=0.3"}) {
+    ASSERT_LE(call(handled + margin).status, 3);
+    const Json added = json("h/summary.json")["handler"]["added_mass_kg"];
+    const Json plans = parse(call("scale-mass two.toml --json - --step " + test::digits(step) + margin).out)["plans"];
+    EXPECT_NEAR(plans["by_handler"]["added_mass"].get<double>() / added.get<double>(), 1, 1e-12) << margin;
+    EXPECT_GT(plans["by_handler"]["added_mass"], plans["by_node"]["added_mass"]);
+  }
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("handler, 15 % room"),
+                                 HasSubstr("are for the state at the start; the handler "
+                                           "mass-scaling leaves room"),
+                                 HasSubstr(" s at the start; ")));
   const Outcome none = call("scale-mass two.toml --step " + test::digits(0.99 * safe));
   EXPECT_EQ(none.status, 0);
   EXPECT_THAT(none.out, HasSubstr("is proven stable without added mass"));
