@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "temporary_folder.h"
+#include <tests/support/temporary_folder.h>
 
 namespace nlohmann {
 /// How GoogleTest prints what it compares: compiled once.
