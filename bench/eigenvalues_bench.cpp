@@ -1,6 +1,5 @@
-// The largest eigenvalue of one element's M⁻¹K: power iteration, packed, from random components and from the face
-// normals, against full solvers; in the form of Fierz 2013, tables 5.3 and 5.4. A vector of ones, which Fierz 2013
-// names as its start, is a translation: K maps it to zero.
+// The largest eigenvalue of one element's M⁻¹K: the library's packed solver against Eigen's full ones, for the shapes
+// of Fierz 2013, tables 5.3 and 5.4.
 #include <map>
 #include <random>
 #include <string>
@@ -53,7 +52,6 @@ struct Elements {
   std::vector<Eigen::MatrixXd> dense;  // M^-½ K M^-½
   std::vector<double> exact;           // its largest eigenvalues
   AlignedVector<NativePack> packed;    // [pack][3n][3n]
-  AlignedVector<NativePack> normals;   // [pack][3n] Σ w ∇N_a: the face normals, as long as the heights are short
   Elements(const Shape& shape, double poisson) {
     Mesh mesh;
     n = static_cast<int>(shape.nodes.size());
@@ -82,24 +80,16 @@ struct Elements {
     const Body body(std::move(mesh), makeMaterial("linear", 1, poisson, 1));
     const int size = 3 * n;
     packed.resize(count / lanes * size * size);
-    normals.resize(count / lanes * size);
     for (int e = 0; e < count; ++e) {
       const auto nodes = body.blocks()[0]->nodesOf(e);
-      Eigen::VectorXd scale(size), normal(size);
+      Eigen::VectorXd scale(size);
       for (int i = 0; i < size; ++i) scale[i] = 1 / std::sqrt(body.lumpedMass()[nodes[i / 3]]);
       const Eigen::MatrixXd K = body.elementTangent({0, e}, body.mesh().X);
       dense.emplace_back(scale.asDiagonal() * K * scale.asDiagonal());
       exact.push_back(
           Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(dense.back(), Eigen::EigenvaluesOnly).eigenvalues()[size - 1]);
-      // K applied to the motion x → x gives (3λ + 2μ) Σ w ∇N_a, M^-½ of which is the start in scaled coordinates.
-      Eigen::VectorXd x(size);
-      for (int i = 0; i < size; ++i) x[i] = body.mesh().X(i % 3, nodes[i / 3]);
-      normal = scale.asDiagonal() * (K * x);
-      normal.normalize();
-      for (int i = 0; i < size; ++i) {
-        normals[e / lanes * size + i].set(e % lanes, normal[i]);
+      for (int i = 0; i < size; ++i)
         for (int j = 0; j < size; ++j) packed[(e / lanes * size + i) * size + j].set(e % lanes, dense.back()(i, j));
-      }
     }
   }
 };
@@ -142,55 +132,6 @@ void packedSolver(benchmark::State& state, const Elements& elements) {
   finish(state, elements, found);
 }
 
-/// Power iteration until the Rayleigh quotient changes by less than a thousandth, in all lanes; the mean over the lanes
-/// of the iterations that each would have needed alone.
-template <int N>
-void power(benchmark::State& state, const Elements& elements, bool fromNormals) {
-  constexpr int size = 3 * N;
-  AlignedVector<NativePack> start = elements.normals;
-  if (!fromNormals) {
-    std::mt19937_64 engine(3);
-    for (NativePack& value : start)
-      for (int lane = 0; lane < lanes; ++lane) value.set(lane, static_cast<double>(engine() >> 11) * 0x1p-52 - 1);
-  }
-  std::vector<double> found(count);
-  double iterations = 0;
-  for (auto _ : state) {
-    iterations = 0;
-    for (int pack = 0; pack < count / lanes; ++pack) {
-      const NativePack* A = elements.packed.data() + static_cast<std::ptrdiff_t>(pack) * size * size;
-      NativePack v[size], w[size], lambda(0.0), needed(0.0);
-      NativePack norm2(0.0);
-      for (int i = 0; i < size; ++i) {
-        v[i] = start[pack * size + i];
-        norm2 += v[i] * v[i];
-      }
-      for (int iteration = 0; iteration < 1000; ++iteration) {
-        const NativePack inverse = NativePack(1.0) / math::sqrt(norm2);
-        NativePack quotient(0.0);
-        norm2 = NativePack(0.0);
-        for (int i = 0; i < size; ++i) v[i] *= inverse;
-        for (int i = 0; i < size; ++i) {
-          NativePack sum = A[i * size] * v[0];
-          for (int j = 1; j < size; ++j) sum += A[i * size + j] * v[j];
-          w[i] = sum;
-          quotient += sum * v[i];
-          norm2 += sum * sum;
-        }
-        for (int i = 0; i < size; ++i) v[i] = w[i];
-        const auto moving = quotient - lambda > NativePack(1e-3) * quotient;
-        lambda = quotient;
-        needed += select(moving, NativePack(1.0), NativePack(0.0));
-        if (!anyOf(moving)) break;
-      }
-      lambda.store(found.data() + pack * lanes);
-      for (int lane = 0; lane < lanes; ++lane) iterations += needed[lane] + 1;
-    }
-  }
-  finish(state, elements, found);
-  state.counters["iterations_each"] = iterations / count;
-}
-
 void registerAll() {
   for (const Shape& shape : shapes())
     for (const double poisson : {0.3, 0.4, 0.49}) {
@@ -202,15 +143,6 @@ void registerAll() {
       add("eigen_vectors", eigenSolver<true>);
       add("eigen_values", eigenSolver<false>);
       add("packed", packedSolver);
-      const bool tet = shape.nodes.size() == 4;
-      for (const bool fromNormals : {false, true})
-        add(fromNormals ? "power_normals" : "power_random",
-            [tet, fromNormals](benchmark::State& state, const Elements& elements) {
-              if (tet)
-                power<4>(state, elements, fromNormals);
-              else
-                power<8>(state, elements, fromNormals);
-            });
     }
 }
 

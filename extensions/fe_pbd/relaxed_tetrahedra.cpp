@@ -131,18 +131,13 @@ void RelaxedTetrahedra::visit(std::int32_t k) {
 
 bool RelaxedTetrahedra::relax(const NodeVectors& x, const NodeVectors& v, NodeVectors& a) {
   tetrahedra_.start(x, v, a);
-  const auto sweep = [&](bool forward, auto step) {
-    tetrahedra_.sweep(forward, [&](std::int32_t batch) { (this->*step)(batch); });
-  };
   if (goal_ == GoalShape::rigid) {
     tetrahedra_.keepApart();
-    sweep(true, &RelaxedTetrahedra::visit<GoalShape::rigid, true, true>);
-    return tetrahedra_.finish(v, a);
-  }
-  constexpr auto inner = &RelaxedTetrahedra::visit<GoalShape::linear, false, false>;
-  for (int pass = 0; pass < passes_; ++pass) {
-    sweep(true, pass == 0 ? &RelaxedTetrahedra::visit<GoalShape::linear, true, false> : inner);
-    sweep(false, pass == passes_ - 1 ? &RelaxedTetrahedra::visit<GoalShape::linear, false, true> : inner);
+    tetrahedra_.sweep(true, [&](std::int32_t batch) { visit<GoalShape::rigid, true, true>(batch); });
+  } else {
+    tetrahedra_.sweepInPasses(*this, passes_, &RelaxedTetrahedra::visit<GoalShape::linear, true, false>,
+                              &RelaxedTetrahedra::visit<GoalShape::linear, false, false>,
+                              &RelaxedTetrahedra::visit<GoalShape::linear, false, true>);
   }
   return tetrahedra_.finish(v, a);
 }

@@ -147,15 +147,9 @@ void FilteredTetrahedra::relax(std::int32_t k) {
 
 bool FilteredTetrahedra::act(const NodeVectors& x, const NodeVectors& v, NodeVectors& a, int passes) {
   tetrahedra_.start(x, v, a);
-  const auto sweep = [&](bool forward, auto step) {
-    tetrahedra_.sweep(forward, [&](std::int32_t batch) { (this->*step)(batch); });
-  };
-  sweep(true, &FilteredTetrahedra::keep);
-  constexpr auto inner = &FilteredTetrahedra::relax<false, false>;
-  for (int pass = 0; pass < passes; ++pass) {
-    sweep(true, pass == 0 ? &FilteredTetrahedra::relax<true, false> : inner);
-    sweep(false, pass == passes - 1 ? &FilteredTetrahedra::relax<false, true> : inner);
-  }
+  tetrahedra_.sweep(true, [&](std::int32_t batch) { keep(batch); });
+  tetrahedra_.sweepInPasses(*this, passes, &FilteredTetrahedra::relax<true, false>,
+                            &FilteredTetrahedra::relax<false, false>, &FilteredTetrahedra::relax<false, true>);
   return tetrahedra_.finish(v, a);
 }
 

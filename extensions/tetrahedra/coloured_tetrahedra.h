@@ -48,6 +48,17 @@ class ColouredTetrahedra {
     }
   }
 
+  /// Passes forward and back over the elements by members of a relaxation: `first` is the first sweep, `last` the last
+  /// one, `inner` all between.
+  template <class Relaxation>
+  void sweepInPasses(Relaxation& relaxation, int passes, void (Relaxation::*first)(std::int32_t),
+                     void (Relaxation::*inner)(std::int32_t), void (Relaxation::*last)(std::int32_t)) const {
+    for (int k = 0; k < 2 * passes; ++k) {
+      const auto visit = k == 0 ? first : k + 1 == 2 * passes ? last : inner;
+      sweep(k % 2 == 0, [&](std::int32_t batch) { (relaxation.*visit)(batch); });
+    }
+  }
+
   /// The nodes of a batch. A missing element has its nodes at the origin and at the unit vectors, with 1/m = 0: with
   /// unit vectors for its gradients, F = I.
   struct Nodes {

@@ -5,8 +5,8 @@
 #include <ringwatch/app/scene/capabilities.h>
 #include <ringwatch/base/error.h>
 
+#include <tests/support/temporary_folder.h>
 #include "program.h"
-#include "temporary_folder.h"
 
 namespace ringwatch {
 namespace {

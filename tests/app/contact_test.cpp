@@ -40,39 +40,10 @@ constexpr double mass = 1, penalty = 100, stiffness = 4 * penalty;  // of the cu
 
 class Contact : public Program {
  protected:
-  void run(const std::string& more, const std::string& options = "", int status = 0) {
-    folder_.write("scene.toml", cube + more);
-    const Outcome outcome = call("run scene.toml --out r " + options);
-    ASSERT_EQ(outcome.status, status) << outcome.out << outcome.err;
-    history_ = table("r/history.csv");
-  }
-  double last(const std::string& column) const { return history_.number(history_.rows.size() - 1, column); }
-  double largest(const std::string& column) const {
-    double most = 0;
-    for (std::size_t i = 0; i < history_.rows.size(); ++i) most = std::max(most, std::abs(history_.number(i, column)));
-    return most;
-  }
-  /// Displacements in the last frame, 3×N, m.
-  NodeVectors lastDisplacement() const {
-    const auto frames = json("r/summary.json")["frames"].get<int>();
-    const auto state =
-        loadVtuState(folder_.path() / joinText("r/frames/frame_00000", frames, ".vtu"), "displacement", nullptr);
-    return state.x - state.mesh.X;
-  }
-  /// Of the history of a run, over its kinetic energy at the start.
-  double largestImbalance(const std::string& folder) const {
-    const Table history = table(folder + "/history.csv");
-    double error = 0;
-    for (std::size_t i = 0; i < history.rows.size(); ++i)
-      error = std::max(error, std::abs(history.number(i, "balance_error_J")));
-    return error / history.number(0, "kinetic_J");
-  }
+  void run(const std::string& more, const std::string& options = "") { runScene(cube + more, options); }
   void refuse(const std::string& more, const std::string& what, const std::string& options = "") {
-    folder_.write("scene.toml", cube + more);
-    expectRefused("run scene.toml --out refused " + options, what);
-    EXPECT_FALSE(exists("refused"));
+    refuseScene(cube + more, what, options);
   }
-  Table history_;
 };
 
 constexpr const char* floor =
@@ -86,16 +57,16 @@ std::string contact(const std::string& more = "") { return "[[contact]]\npenalty
 // Half a period of √(stiffness/mass), without loss: the speed comes back, and the deepest point is v √(mass/stiffness).
 TEST_F(Contact, ReturnsAllOfTheEnergy) {
   run(floor + falling(0.2) + contact());
-  EXPECT_NEAR(largest("kinetic_J"), 0.02, 1e-6);
-  EXPECT_NEAR(last("kinetic_J"), 0.02, 2e-6);
-  EXPECT_LE(largest("balance_error_J"), 2e-6);
-  const Json found = json("r/summary.json")["discrete_forces"];
+  EXPECT_NEAR(history_.largest("kinetic_J"), 0.02, 1e-6);
+  EXPECT_NEAR(history_.last("kinetic_J"), 0.02, 2e-6);
+  EXPECT_LE(history_.largest("balance_error_J"), 2e-6);
+  const Json found = summary_["discrete_forces"];
   EXPECT_EQ(found["contact_nodes"], 8);
   EXPECT_EQ(found["most_touching"], 4);
   EXPECT_NEAR(found["deepest"]["depth"].get<double>(), 0.2 * std::sqrt(mass / stiffness), 1e-5);
   EXPECT_EQ(found["deepest"]["obstacle"], "floor");
   EXPECT_EQ(found["governed_observations"], 0);
-  EXPECT_EQ(json("r/summary.json")["verdict"], "certified");
+  EXPECT_EQ(summary_["verdict"], "certified");
 }
 
 // The same bounce on every kind: on a flat end, and on round ones so large that four corners touch at once.
@@ -110,9 +81,9 @@ TEST_F(Contact, ReturnsAllOfTheEnergyOfEveryKind) {
         "kind = \"cylinder\"\nhollow = true\npoint = [0.05, 0, 99.99]\naxis = [0, 1, 0]\nradius = 100\n"}) {
     SCOPED_TRACE(obstacle);
     run(std::string("[[obstacle]]\n") + obstacle + falling(0.2) + contact());
-    EXPECT_NEAR(last("kinetic_J"), 0.02, loss);
-    EXPECT_LE(largest("balance_error_J"), loss);
-    const Json found = json("r/summary.json")["discrete_forces"];
+    EXPECT_NEAR(history_.last("kinetic_J"), 0.02, loss);
+    EXPECT_LE(history_.largest("balance_error_J"), loss);
+    const Json found = summary_["discrete_forces"];
     EXPECT_EQ(found["most_touching"], 4);
     EXPECT_NEAR(found["deepest"]["depth"].get<double>(), 0.2 * std::sqrt(mass / stiffness), 1e-5);
     EXPECT_EQ(found["deepest"]["obstacle"], "obstacle 0");
@@ -126,14 +97,14 @@ TEST_F(Contact, HasTheRestitutionOfItsDamping) {
   for (const double step : {2e-4, 1e-4}) {
     run(floor + falling(0.2) + contact("damping = 0.2\n"), "--set integrator.step=" + test::digits(step));
     const double zeta = 0.2 / std::sqrt(2.0), e = std::exp(-pi * zeta / std::sqrt(1 - zeta * zeta));
-    const double found = std::sqrt(last("kinetic_J") / 0.02), error = std::abs(found - e);
+    const double found = std::sqrt(history_.last("kinetic_J") / 0.02), error = std::abs(found - e);
     EXPECT_LT(error, 1.8e-3) << step;
     if (before > 0) {
       EXPECT_LT(error, 0.7 * before);  // the damping lags: of order one
     }
     before = error;
-    EXPECT_NEAR(last("dissipated_J"), 0.02 * (1 - e * e), 1e-4);
-    EXPECT_EQ(json("r/summary.json")["verdict"], "certified");
+    EXPECT_NEAR(history_.last("dissipated_J"), 0.02 * (1 - e * e), 1e-4);
+    EXPECT_EQ(summary_["verdict"], "certified");
   }
 }
 
@@ -141,14 +112,14 @@ TEST_F(Contact, HasTheRestitutionOfItsDamping) {
 TEST_F(Contact, MovingObstaclesDoWork) {
   run("[[obstacle]]\nkind = \"plane\"\npoint = [-0.001, 0, 0]\nnormal = [1, 0, 0]\nvelocity = [0.1, 0, 0]\n" +
       contact());
-  EXPECT_NEAR(last("kinetic_J"), 0.02, 4e-6);
-  EXPECT_NEAR(last("external_work_J"), 0.02, 4e-6);
-  EXPECT_LE(largest("balance_error_J"), 4e-6);
+  EXPECT_NEAR(history_.last("kinetic_J"), 0.02, 4e-6);
+  EXPECT_NEAR(history_.last("external_work_J"), 0.02, 4e-6);
+  EXPECT_LE(history_.largest("balance_error_J"), 4e-6);
   // The same wall, whose speed comes as a table.
   run("[[obstacle]]\nkind = \"plane\"\npoint = [-0.001, 0, 0]\nnormal = [1, 0, 0]\nvelocity = [0.2, 0, 0]\n"
       "times = [0, 1]\nfactors = [0.5, 0.5]\n" +
       contact());
-  EXPECT_NEAR(last("kinetic_J"), 0.02, 4e-6);
+  EXPECT_NEAR(history_.last("kinetic_J"), 0.02, 4e-6);
 }
 
 // With its own penalty alone the force of the floor is N(t) and friction μ N(t), so ẍ = -μ (z̈ + g) whatever the cube
@@ -159,11 +130,12 @@ TEST_F(Contact, FrictionFollowsCoulombsLaw) {
       "[[initial]]\nwhere = \"all\"\nvelocity = [1, 0, 0]\n" +
           contact("friction = 0.2\nslip = 0.01\n"),
       "--set integrator.end=0.3 --set output.every=0.3 --set contact.0.penalty=2000");
-  const Eigen::Vector3d moved = lastDisplacement().rowwise().mean();
+  const MeshState end = lastFrame();
+  const Eigen::Vector3d moved = (end.x - end.mesh.X).rowwise().mean();
   const double expected = speed * t - mu * (moved[2] + 0.5 * g * t * t);
   EXPECT_NEAR(moved[0], expected, 6e-8 * mu * g * t * t);
-  EXPECT_LE(largest("balance_error_J"), 0.01);
-  const Json summary = json("r/summary.json");
+  EXPECT_LE(history_.largest("balance_error_J"), 0.01);
+  const Json summary = summary_;
   const Json& notes = summary["notes"];
   EXPECT_GT(summary["discrete_forces"]["deepest"]["depth"].get<double>(), 1e-3);
   bool told = false;
@@ -182,8 +154,8 @@ TEST_F(Contact, FrictionCountsNoDampers) {
           contact("damping = 0.5\nfriction = 0.2\nslip = 0.01\n"),
       "--set integrator.end=0.3 --set contact.0.penalty=2000");
   const double expected = speed - mu * (g * t - c * (mass * g / k) / mass);
-  EXPECT_NEAR(std::sqrt(2 * last("kinetic_J")), expected, 2e-3 * expected);
-  EXPECT_LE(largest("balance_error_J"), 0.01);
+  EXPECT_NEAR(std::sqrt(2 * history_.last("kinetic_J")), expected, 2e-3 * expected);
+  EXPECT_LE(history_.largest("balance_error_J"), 0.01);
 }
 
 // A cube between springs: x(t) = x0 e^(-ζωt) cos …, with its mass doubled by point masses.
@@ -191,7 +163,7 @@ TEST_F(Contact, SpringsAndPointMassesOscillate) {
   const double k = 8 * 50, c = 8 * 0.5, m = 2, v = 0.2;
   run("[[spring]]\nwhere = \"all\"\nstiffness = 50\ndamping = 0.5\n[[mass]]\nwhere = \"all\"\nmass = 1\n" + falling(v));
   const double omega = std::sqrt(k / m), zeta = c / (2 * std::sqrt(k * m)), damped = omega * std::sqrt(1 - zeta * zeta);
-  EXPECT_NEAR(json("r/summary.json")["mass"].get<double>(), m, 1e-12);
+  EXPECT_NEAR(summary_["mass"].get<double>(), m, 1e-12);
   int compared = 0;
   for (std::size_t i = 0; i < history_.rows.size(); i += 500) {
     const double t = history_.number(i, "time_s"), decay = v * std::exp(-zeta * omega * t);
@@ -200,7 +172,7 @@ TEST_F(Contact, SpringsAndPointMassesOscillate) {
     ++compared;
   }
   EXPECT_EQ(compared, 8);
-  EXPECT_EQ(json("r/summary.json")["discrete_forces"]["springs"], 8);
+  EXPECT_EQ(summary_["discrete_forces"]["springs"], 8);
 }
 
 constexpr const char* block = R"(mesh = {generate = "bar", size = [0.04, 0.04, 0.04], cells = [4, 4, 4], jitter = 0.1}
@@ -220,14 +192,12 @@ picture = false
 
 // A node alone stays in contact for 20 steps: k = m (π/20h)².
 TEST_F(Contact, APenaltyMadeForTheStepLeavesIt) {
-  folder_.write("scene.toml", std::string(block) + "[[contact]]\n");
-  const Outcome outcome = call("run scene.toml --out r");
-  ASSERT_EQ(outcome.status, 0) << outcome.out << outcome.err;
-  const Json summary = json("r/summary.json");
+  runScene(std::string(block) + "[[contact]]\n");
+  const Json summary = summary_;
   EXPECT_EQ(summary["verdict"], "certified");
   EXPECT_EQ(summary["certified_steps"], summary["steps"]);
   EXPECT_GT(summary["discrete_forces"]["most_touching"].get<int>(), 20);
-  EXPECT_LE(largestImbalance("r"), 0.04);
+  EXPECT_LE(history_.largest("balance_error_J"), 0.04 * history_.number(0, "kinetic_J"));
   // For a step twice as large it is a quarter of that.
   const auto penalty = [&](const std::string& options) {
     const Outcome again = call("run scene.toml --out again --set integrator.end=1e-3 " + options);
@@ -259,20 +229,19 @@ TEST_F(Contact, APenaltyMadeForTheStepLeavesIt) {
 
 // With step "auto" the penalty is made for the safe step of the elements alone, and leaves it.
 TEST_F(Contact, StepAndPenaltyAutoGoTogether) {
-  folder_.write("scene.toml", std::string(block) + "[[contact]]\ndamping = 0.1\nfriction = 0.3\n");
-  folder_.write("free.toml", std::string(block).substr(0, std::string(block).find("[[obstacle]]")) +
-                                 "[[initial]]\nwhere = \"all\"\nvelocity = [0, 0, -0.5]\n[output]\npicture = false\n");
-  const Outcome outcome = call("run scene.toml --out r --set integrator.step=auto");
-  ASSERT_EQ(outcome.status, 0) << outcome.out << outcome.err;
-  const Outcome free = call("run free.toml --out free --set integrator.step=auto");
-  ASSERT_EQ(free.status, 0) << free.out << free.err;
-  const Json with = json("r/summary.json"), without = json("free/summary.json");
+  const std::string follow = "--set integrator.step=auto";
+  runScene(std::string(block) + "[[contact]]\ndamping = 0.1\nfriction = 0.3\n", follow);
+  const Json with = summary_;
+  runScene(std::string(block).substr(0, std::string(block).find("[[obstacle]]")) +
+               "[[initial]]\nwhere = \"all\"\nvelocity = [0, 0, -0.5]\n[output]\npicture = false\n",
+           follow, 0, "free");
+  const Json without = summary_;
   EXPECT_EQ(with["verdict"], "certified");
   EXPECT_GT(with["discrete_forces"]["most_touching"].get<int>(), 20);
   // A node alone for twenty of these steps.
   const double slow = pi / (20 * without["largest_step"].get<double>());
   std::vector<std::string> notes;
-  const Scene scene = readScene(folder_.path() / "free.toml");
+  const Scene scene = readScene(folder_.path() / "scene.toml");
   const Body body = sceneBody(scene, sceneMesh(scene, notes), 1);
   const double least = body.lumpedMass().minCoeff() * slow * slow;
   EXPECT_NEAR(with["discrete_forces"]["penalty"]["least"].get<double>(), least, 0.3 * least);
@@ -300,10 +269,8 @@ TEST_F(Contact, NoDefaultHasADimension) {
     std::string text = of;
     for (const auto& [name, value] : values)
       for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name)) text.replace(at, 3, value);
-    folder_.write("scene.toml", text);
-    const Outcome outcome = call("run scene.toml --out r");
-    ASSERT_EQ(outcome.status, 0) << outcome.out << outcome.err;
-    found.push_back(json("r/summary.json"));
+    runScene(text);
+    found.push_back(summary_);
   }
   EXPECT_GT(found[0]["discrete_forces"]["most_touching"].get<int>(), 10);
   EXPECT_EQ(found[0]["steps"], found[1]["steps"]);
@@ -313,11 +280,9 @@ TEST_F(Contact, NoDefaultHasADimension) {
 }
 
 TEST_F(Contact, SaysWhenContactGovernsAndWhichPenaltyWouldNot) {
-  folder_.write("scene.toml", std::string(block) + "[[contact]]\npenalty = 1e5\n");
-  const Outcome outcome = call("run scene.toml --out r");
-  EXPECT_EQ(outcome.status, 1) << outcome.out << outcome.err;
-  EXPECT_THAT(outcome.out, HasSubstr("springs or contact govern"));
-  const Json summary = json("r/summary.json");
+  EXPECT_THAT(runScene(std::string(block) + "[[contact]]\npenalty = 1e5\n", "", 1).out,
+              HasSubstr("springs or contact govern"));
+  const Json& summary = summary_;
   const Json& found = summary["discrete_forces"];
   EXPECT_GT(found["governed_observations"].get<int>(), 0);
   ASSERT_FALSE(summary["first_violated"].is_null());
@@ -452,39 +417,17 @@ TEST_F(Contact, ExamplesThatBlowUpAreNamedBeforeTheirEnergies) {
 }
 
 TEST_F(Contact, IsTheSameForAnyNumberOfThreads) {
-  folder_.write("scene.toml", std::string(block) +
-                                  "[[contact]]\ndamping = 0.1\n[[spring]]\nwhere = \"z > 0.039\"\n"
-                                  "to_where = \"z < 0.021\"\nstiffness = 1\ndamping = 0.001\n");
-  ASSERT_EQ(call("run scene.toml --out one --threads 1").status, 0);
-  ASSERT_EQ(call("run scene.toml --out three --threads 3").status, 0);
-  EXPECT_EQ(folder_.read("one/history.csv"), folder_.read("three/history.csv"));
+  expectSameForAnyThreads(std::string(block) +
+                          "[[contact]]\ndamping = 0.1\n[[spring]]\nwhere = \"z > 0.039\"\n"
+                          "to_where = \"z < 0.021\"\nstiffness = 1\ndamping = 0.001\n");
 }
 
 TEST_F(Contact, ResumedRunsHaveTheBitsOfTheOneThatWasNotStopped) {
-  folder_.write("scene.toml",
-                std::string(block) +
-                    "checkpoint_every = 1e-3\n[[contact]]\ndamping = 0.1\nfriction = 0.3\n[[obstacle]]\n"
-                    "kind = \"sphere\"\npoint = [0.02, 0.02, 0.062]\nradius = 0.02\nvelocity = [0, 0, -0.3]\n");
-  const std::string more = " --set integrator.end=0.05 --quiet";
-  ASSERT_EQ(call("run scene.toml --out whole" + more).status, 0);
-  int resumed = 0;
-  bool ended = false;
-  for (double seconds = 0.15; !ended && seconds < 60; seconds *= 1.3) {
-    const bool again = exists("part/checkpoint.bin");
-    const std::string what = again ? "run --resume part --quiet" : "run scene.toml --out part" + more;
-    shell("'" + executable() + "' " + what + " & p=$!; sleep " + std::to_string(seconds) +
-          "; kill -KILL $p 2>/dev/null; wait $p");
-    resumed += again;
-    ended = exists("part/summary.json") && json("part/summary.json")["exit_reason"] == "end";
-  }
-  ASSERT_TRUE(ended);
-  EXPECT_GT(resumed, 0);
-  EXPECT_EQ(folder_.read("part/history.csv"), folder_.read("whole/history.csv"));
-  Json one = json("part/summary.json"), other = json("whole/summary.json");
-  for (Json* summary : {&one, &other})
-    for (const char* own : {"wall_time", "provenance"}) summary->erase(own);
-  EXPECT_EQ(one, other);
-  EXPECT_GT(other["discrete_forces"]["most_touching"].get<int>(), 0);
+  expectSameWhenKilled(std::string(block) +
+                           "checkpoint_every = 1e-3\n[[contact]]\ndamping = 0.1\nfriction = 0.3\n[[obstacle]]\n"
+                           "kind = \"sphere\"\npoint = [0.02, 0.02, 0.062]\nradius = 0.02\nvelocity = [0, 0, -0.3]\n",
+                       "--set integrator.end=0.05");
+  EXPECT_GT(summary_["discrete_forces"]["most_touching"].get<int>(), 0);
 }
 
 TEST_F(Contact, RefusesWhatCannotBe) {

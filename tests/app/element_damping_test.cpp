@@ -273,25 +273,8 @@ class DampedScene : public Program {
     for (const std::string& part : {material, method, damping}) text.replace(text.find("%s"), 2, part);
     return text;
   }
-  void run(const std::string& text, const std::string& options = "", const std::string& folder = "r") {
-    folder_.write("scene.toml", text);
-    const Outcome outcome = call("run scene.toml --out " + folder + " " + options);
-    ASSERT_EQ(outcome.status, 0) << outcome.out << outcome.err;
-  }
-  double largest(const std::string& column, const std::string& folder = "r") {
-    const Table history = table(folder + "/history.csv");
-    double most = 0;
-    for (std::size_t i = 0; i < history.rows.size(); ++i) most = std::max(most, std::abs(history.number(i, column)));
-    return most;
-  }
-  double lastRow(const std::string& column, const std::string& folder = "r") {
-    const Table history = table(folder + "/history.csv");
-    return history.number(history.rows.size() - 1, column);
-  }
   void refuse(const std::string& text, const std::string& what, const std::string& options = "") {
-    folder_.write("scene.toml", text);
-    expectRefused("run scene.toml --out refused " + options, what);
-    EXPECT_FALSE(exists("refused"));
+    refuseScene(text, what, options);
   }
 };
 
@@ -305,7 +288,7 @@ TEST_F(DampedScene, EveryKindTakesEnergyAndTheBalanceCloses) {
            {"shear_viscosity = 5\nvolume_viscosity = 10", ""},
            {"mass_damping = 5\nshear_viscosity = 2", "mass = 2\nstiffness = 1e-4\nbulk_viscosity = true"}})
     for (const std::string method : {"symplectic-euler", "verlet"}) {
-      run(sceneOf(material, damping, method), "--set integrator.step=1e-4");
+      runScene(sceneOf(material, damping, method), "--set integrator.step=1e-4");
       const Table history = table("r/history.csv");
       double dissipated = 0, error = 0, kinetic = 0;
       for (std::size_t i = 0; i < history.rows.size(); ++i) {
@@ -317,7 +300,7 @@ TEST_F(DampedScene, EveryKindTakesEnergyAndTheBalanceCloses) {
       }
       EXPECT_GT(dissipated, 0.003 * kinetic) << material << damping;
       EXPECT_LT(error, (method == "verlet" ? 1e-4 : 0.005) * kinetic) << material << damping;
-      EXPECT_EQ(json("r/summary.json")["verdict"], "certified") << material << damping;
+      EXPECT_EQ(summary_["verdict"], "certified") << material << damping;
       ++runs;
     }
   EXPECT_EQ(runs, 12);
@@ -392,13 +375,14 @@ TEST_F(DampedScene, BalanceClosesAtOrderTwo) {
 // Supports that move bring up the damping force of the elements at them.
 TEST_F(DampedScene, WorkOfSupportsHasTheDampingOfElementsInIt) {
   for (const std::string method : {"symplectic-euler", "verlet"}) {
-    run(sceneOf("shear_viscosity = 5\nvolume_viscosity = 10", "bulk_viscosity = true", method) +
-            "[[move]]\nwhere = \"x > 0.1999\"\nvelocity = [-0.2, 0, 0]\n",
-        "--set integrator.step=1e-4");
-    const double work = largest("external_work_J");
+    runScene(sceneOf("shear_viscosity = 5\nvolume_viscosity = 10", "bulk_viscosity = true", method) +
+                 "[[move]]\nwhere = \"x > 0.1999\"\nvelocity = [-0.2, 0, 0]\n",
+             "--set integrator.step=1e-4");
+    const double work = history_.largest("external_work_J");
     EXPECT_GT(work, 0);
-    EXPECT_GT(largest("dissipated_J"), 0.3 * work) << method;
-    EXPECT_LT(largest("balance_error_J"), (method == "verlet" ? 0.002 : 0.008) * std::max(work, largest("kinetic_J")))
+    EXPECT_GT(history_.largest("dissipated_J"), 0.3 * work) << method;
+    EXPECT_LT(history_.largest("balance_error_J"),
+              (method == "verlet" ? 0.002 : 0.008) * std::max(work, history_.largest("kinetic_J")))
         << method;
   }
 }
@@ -406,22 +390,24 @@ TEST_F(DampedScene, WorkOfSupportsHasTheDampingOfElementsInIt) {
 // Forces of Kelvin-Voigt and of Rayleigh's stiffness are the same to first order in the strain.
 TEST_F(DampedScene, StiffnessDampingIsRayleighsAtSmallStrain) {
   const std::string slow = " --set initial.0.velocity='[-1e-4,2e-5,0]'";
-  run(sceneOf("stiffness_damping = 2e-4", ""), slow, "own");
-  run(sceneOf("", "stiffness = 2e-4"), slow, "rayleigh");
-  const double own = largest("dissipated_J", "own"), rayleigh = largest("dissipated_J", "rayleigh");
+  runScene(sceneOf("stiffness_damping = 2e-4", ""), slow, 0, "own");
+  runScene(sceneOf("", "stiffness = 2e-4"), slow, 0, "rayleigh");
+  const double own = table("own/history.csv").largest("dissipated_J"),
+               rayleigh = table("rayleigh/history.csv").largest("dissipated_J");
   EXPECT_GT(own, 0);
   EXPECT_NEAR(own, rayleigh, 1e-3 * rayleigh);
-  run(sceneOf("mass_damping = 15", ""), slow, "own");
-  run(sceneOf("", "mass = 15"), slow, "rayleigh");
-  EXPECT_NEAR(largest("dissipated_J", "own"), largest("dissipated_J", "rayleigh"), 1e-12);
+  runScene(sceneOf("mass_damping = 15", ""), slow, 0, "own");
+  runScene(sceneOf("", "mass = 15"), slow, 0, "rayleigh");
+  EXPECT_NEAR(table("own/history.csv").largest("dissipated_J"), table("rayleigh/history.csv").largest("dissipated_J"),
+              1e-12);
 }
 
 TEST_F(DampedScene, AutoTakesTheStepThatDampingLeaves) {
-  run(sceneOf("", ""), "--set integrator.step=auto", "bare");
+  runScene(sceneOf("", ""), "--set integrator.step=auto", 0, "bare");
   const double bare = table("bare/history.csv").number(0, "h_s");
   for (const auto& [material, damping] : std::vector<std::pair<std::string, std::string>>{
            {"", "bulk_viscosity = true"}, {"stiffness_damping = 1e-3", ""}}) {
-    run(sceneOf(material, damping), "--set integrator.step=auto", "damped");
+    runScene(sceneOf(material, damping), "--set integrator.step=auto", 0, "damped");
     const Table history = table("damped/history.csv");
     const double h = history.number(0, "h_s"), safe = history.number(0, "safe_s"),
                  optimistic = history.number(0, "optimistic_s");
@@ -462,15 +448,15 @@ picture = false
   std::string left = two, right = two;
   left.replace(left.find("%s"), 2, "<");
   right.replace(right.find("%s"), 2, ">");
-  run(left, "", "left");
-  run(right, "", "right");
-  EXPECT_GT(largest("dissipated_J", "left"), 5 * largest("dissipated_J", "right"));
-  EXPECT_GT(largest("dissipated_J", "right"), 0);
+  runScene(left, "", 0, "left");
+  runScene(right, "", 0, "right");
+  EXPECT_GT(table("left/history.csv").largest("dissipated_J"), 5 * table("right/history.csv").largest("dissipated_J"));
+  EXPECT_GT(table("right/history.csv").largest("dissipated_J"), 0);
 }
 
 TEST_F(DampedScene, ResumesBitByBit) {
   const std::string text = sceneOf("shear_viscosity = 1", "bulk_viscosity = true") + "checkpoint_every = 0.02\n";
-  run(text, "--set integrator.end=0.4");
+  runScene(text, "--set integrator.end=0.4");
   ASSERT_EQ(stopRun("--set integrator.end=0.4", hasCheckpoint, "KILL").status, 128 + SIGKILL);
   const Outcome resumed = call("run --resume part");
   EXPECT_EQ(resumed.status, 0) << resumed.err;
@@ -480,7 +466,7 @@ TEST_F(DampedScene, ResumesBitByBit) {
 // The coefficients of quadratic bulk viscosity that count depend on all velocities since the monitor began.
 TEST_F(DampedScene, ResumesBitByBitFromASignal) {
   for (const std::string method : {"symplectic-euler", "verlet"}) {
-    run(sceneOf("shear_viscosity = 1", "bulk_viscosity = true", method), "--set integrator.end=1.5");
+    runScene(sceneOf("shear_viscosity = 1", "bulk_viscosity = true", method), "--set integrator.end=1.5");
     const Outcome stopped = stopRun("--set integrator.end=1.5", hasTenRows, "TERM");
     ASSERT_EQ(stopped.status, 4) << method << stopped.err;
     const Outcome resumed = call("run --resume part");
@@ -492,7 +478,7 @@ TEST_F(DampedScene, ResumesBitByBitFromASignal) {
 TEST_F(DampedScene, InspectKnowsTheDampingOfARun) {
   const std::string text =
       sceneOf("stiffness_damping = 1e-3", "bulk_viscosity = true\nquadratic_bulk_viscosity = 0") + "every = 0.05\n";
-  run(text, "--set integrator.step=2e-4");
+  runScene(text, "--set integrator.step=2e-4");
   const Outcome inspected = call("inspect r --frame 1 --json -");
   ASSERT_EQ(inspected.status, 0) << inspected.err;
   const auto bracket = parse(inspected.out)["critical_step"];
@@ -501,7 +487,7 @@ TEST_F(DampedScene, InspectKnowsTheDampingOfARun) {
   EXPECT_GE(safe, history.number(0, "safe_s") * (1 - 1e-6));
   EXPECT_NEAR(optimistic, history.number(0, "optimistic_s"), 0.02 * optimistic);
   // Undamped it would be longer.
-  run(sceneOf("", "") + "every = 0.05\n", "--set integrator.step=2e-4", "bare");
+  runScene(sceneOf("", "") + "every = 0.05\n", "--set integrator.step=2e-4", 0, "bare");
   EXPECT_LT(optimistic, 0.95 * table("bare/history.csv").number(0, "optimistic_s"));
 }
 
@@ -601,11 +587,11 @@ std::string uniformStrain(std::string text) {
 TEST_F(DampedScene, HourglassControlKeepsTheBalance) {
   for (const std::string material : {"", "hourglass_stiffness = 0.2", "hourglass_viscosity = 0.15",
                                      "hourglass_stiffness = 0.0\nhourglass_viscosity = 0.15", "mass_damping = 5"}) {
-    run(uniformStrain(sceneOf(material, "", "verlet")), "--set integrator.step=1e-4");
-    EXPECT_EQ(json("r/summary.json")["verdict"], "certified") << material;
-    EXPECT_LT(largest("balance_error_J"), 0.01 * largest("kinetic_J")) << material;
+    runScene(uniformStrain(sceneOf(material, "", "verlet")), "--set integrator.step=1e-4");
+    EXPECT_EQ(summary_["verdict"], "certified") << material;
+    EXPECT_LT(history_.largest("balance_error_J"), 0.01 * history_.largest("kinetic_J")) << material;
     if (material.find("visc") == std::string::npos) continue;
-    EXPECT_GT(largest("dissipated_J"), 1e-4 * largest("kinetic_J")) << material;
+    EXPECT_GT(history_.largest("dissipated_J"), 1e-4 * history_.largest("kinetic_J")) << material;
   }
 }
 
@@ -616,10 +602,10 @@ TEST_F(DampedScene, OnePointHexahedraDampAsOthers) {
              {"hourglass_viscosity = 0.1", "bulk_viscosity = true"},
              {"shear_viscosity = 2\nvolume_viscosity = 5", ""},
              {"stiffness_damping = 1e-4", "bulk_viscosity = true\nquadratic_bulk_viscosity = 0"}}) {
-      run(uniformStrain(sceneOf(material, damping, method)), "--set integrator.step=1e-4");
-      EXPECT_EQ(json("r/summary.json")["verdict"], "certified") << material;
-      EXPECT_LT(largest("balance_error_J"), 0.01 * largest("kinetic_J")) << material;
-      EXPECT_GT(largest("dissipated_J"), 1e-3 * largest("kinetic_J")) << material;
+      runScene(uniformStrain(sceneOf(material, damping, method)), "--set integrator.step=1e-4");
+      EXPECT_EQ(summary_["verdict"], "certified") << material;
+      EXPECT_LT(history_.largest("balance_error_J"), 0.01 * history_.largest("kinetic_J")) << material;
+      EXPECT_GT(history_.largest("dissipated_J"), 1e-3 * history_.largest("kinetic_J")) << material;
     }
 }
 

@@ -51,11 +51,8 @@ picture = false
 class Erosion : public Program {};
 
 TEST_F(Erosion, TearsABarAndKeepsMassMomentumAndBalance) {
-  folder_.write("scene.toml", torn);
-  const Outcome outcome = call("run scene.toml --out r");
-  ASSERT_EQ(outcome.status, 0) << outcome.err << outcome.out;
-  const Json summary = json("r/summary.json"), &erosion = summary["erosion"];
-  EXPECT_THAT(outcome.out, HasSubstr("of 48 elements left, the first, hex8 "));
+  EXPECT_THAT(runScene(torn).out, HasSubstr("of 48 elements left, the first, hex8 "));
+  const Json &summary = summary_, &erosion = summary["erosion"];
   EXPECT_EQ(summary["certified"], true);
   EXPECT_NEAR(summary["mass"].get<double>(), 1000 * 0.12 * 0.02 * 0.02, 1e-15);
   // Both layers of weak cells go: nodes between them are point masses then.
@@ -94,25 +91,23 @@ TEST_F(Erosion, TearsABarAndKeepsMassMomentumAndBalance) {
   }
   EXPECT_GE(events, 1u);
   EXPECT_EQ(eventElements, 8u);
-  const Table history = table("r/history.csv"), probes = table("r/probes.csv");
+  const Table &history = history_, probes = table("r/probes.csv");
   EXPECT_EQ(history.number(0, "eroded_elements"), 0);
-  EXPECT_EQ(history.number(history.rows.size() - 1, "eroded_elements"), 8);
-  double kinetic = 0, error = 0, change = 0, middle = 0;
+  EXPECT_EQ(history.last("eroded_elements"), 8);
+  double change = 0, middle = 0;
   for (std::size_t i = 0; i < history.rows.size(); ++i) {
-    kinetic = std::max(kinetic, history.number(i, "kinetic_J"));
-    error = std::max(error, std::abs(history.number(i, "balance_error_J")));
     EXPECT_LE(history.number(i, "safe_s"), history.number(i, "optimistic_s"));
     for (const std::string c : {"x", "y", "z"})
       change = std::max(change, std::abs(probes.number(i, "all.momentum_" + c + "_kg m/s") -
                                          probes.number(0, "all.momentum_" + c + "_kg m/s")));
     if (history.number(i, "time_s") <= last) continue;
-    EXPECT_EQ(history.number(i, "dissipated_J"), history.number(history.rows.size() - 1, "dissipated_J"));
+    EXPECT_EQ(history.number(i, "dissipated_J"), history.last("dissipated_J"));
     EXPECT_EQ(probes.number(i, "weak.energy_strain_J"), 0);
-    middle = std::max(middle, std::abs(probes.number(i, "middle.velocity_x_m/s") -
-                                       probes.number(probes.rows.size() - 1, "middle.velocity_x_m/s")));
+    middle =
+        std::max(middle, std::abs(probes.number(i, "middle.velocity_x_m/s") - probes.last("middle.velocity_x_m/s")));
   }
-  EXPECT_NEAR(history.number(history.rows.size() - 1, "dissipated_J"), strain, 1e-12 * strain);
-  EXPECT_LT(error, 3.4e-4 * kinetic);  // of second order in the step
+  EXPECT_NEAR(history.last("dissipated_J"), strain, 1e-12 * strain);
+  EXPECT_LT(history.largest("balance_error_J"), 3.4e-4 * history.largest("kinetic_J"));  // of second order in the step
   EXPECT_LT(change, 7e-17);
   EXPECT_EQ(middle, 0);  // no force acts on point masses
 }
@@ -198,22 +193,18 @@ picture = false
 
 // What is left damps as before: momentum is kept, and what the damping takes is in the balance.
 TEST_F(Erosion, LeavesTheDampingOfElementsThatStay) {
-  folder_.write("scene.toml", torn);
   for (const std::string damping : {"--set damping.bulk_viscosity=true", "--set material.0.shear_viscosity=0.5",
                                     "--set material.1.mass_damping=5"}) {
-    const Outcome outcome = call("run scene.toml --out r --set integrator.step=5e-5 " + damping);
-    EXPECT_EQ(outcome.status, 0) << outcome.err << outcome.out;
-    const Json summary = json("r/summary.json");
+    runScene(torn, "--set integrator.step=5e-5 " + damping);
+    const Json& summary = summary_;
     EXPECT_EQ(summary["erosion"]["elements"].size(), 8u) << damping;
     EXPECT_EQ(summary["certified"], true) << damping;
-    const Table history = table("r/history.csv"), probes = table("r/probes.csv");
-    const std::size_t last = history.rows.size() - 1;
+    const Table &history = history_, probes = table("r/probes.csv");
     const double energy = history.number(0, "kinetic_J");
-    EXPECT_GT(history.number(last, "dissipated_J"), summary["erosion"]["strain"].get<double>());
-    EXPECT_LE(std::abs(history.number(last, "balance_error_J")), 5e-3 * energy) << damping;
+    EXPECT_GT(history.last("dissipated_J"), summary["erosion"]["strain"].get<double>());
+    EXPECT_LE(std::abs(history.last("balance_error_J")), 5e-3 * energy) << damping;
     if (damping.find("mass_damping") == std::string::npos) {
-      EXPECT_NEAR(probes.number(probes.rows.size() - 1, "all.momentum_x_kg m/s"),
-                  probes.number(0, "all.momentum_x_kg m/s"), 1e-12);
+      EXPECT_NEAR(probes.last("all.momentum_x_kg m/s"), probes.number(0, "all.momentum_x_kg m/s"), 1e-12);
     }
   }
 }
@@ -262,11 +253,9 @@ picture = false
 
 // Faces that are gone do not push, and those behind them do: the block passes the layer and turns back at what is left.
 TEST_F(Erosion, MovesTheSurfacesOfContact) {
-  folder_.write("scene.toml", landing);
-  ASSERT_EQ(call("run scene.toml --out whole --set erosion.least_step=1e-9").status, 0);
-  const Outcome outcome = call("run scene.toml --out r");
-  EXPECT_EQ(outcome.status, 0) << outcome.err << outcome.out;
-  const Json summary = json("r/summary.json");
+  runScene(landing, "--set erosion.least_step=1e-9", 0, "whole");
+  runScene(landing);
+  const Json& summary = summary_;
   ASSERT_EQ(summary["erosion"]["elements"].size(), 4u);
   const auto lowest = [&](const std::string& folder) {
     const Table probes = table(folder + "/probes.csv");
@@ -281,9 +270,8 @@ TEST_F(Erosion, MovesTheSurfacesOfContact) {
   EXPECT_GT(lowest("r"), 0.021);
   EXPECT_LT(lowest("r"), 0.031);
   EXPECT_GT(summary["discrete_forces"]["most_touching"].get<int>(), 0);
-  const Table history = table("r/history.csv");
-  EXPECT_LE(std::abs(history.number(history.rows.size() - 1, "balance_error_J")),
-            0.04 * history.number(0, "kinetic_J"));  // of first order in the step
+  EXPECT_LE(std::abs(history_.last("balance_error_J")),
+            0.04 * history_.number(0, "kinetic_J"));  // of first order in the step
 }
 
 // Springs and obstacles hold nodes that have no element, and blocks become empty.
@@ -361,30 +349,22 @@ picture = false
 }
 
 TEST_F(Erosion, EndsWhereNothingIsLeftAndHasTheSameBitsForAnyNumberOfThreads) {
-  folder_.write("scene.toml", std::string(tiny) + "[erosion]\nmax_stretch = 1.0001\n");
-  const Outcome outcome = call("run scene.toml --out r --set integrator.end=0.5 --set erosion.every=50");
-  EXPECT_EQ(outcome.status, 1);
+  const Outcome outcome = runScene(std::string(tiny) + "[erosion]\nmax_stretch = 1.0001\n",
+                                   "--set integrator.end=0.5 --set erosion.every=50", 1);
   EXPECT_THAT(outcome.out, HasSubstr("every element that is left meets a criterion of [erosion] before step "));
-  folder_.write("torn.toml", torn);
-  const std::string follow = " --set integrator.method=symplectic-euler --set integrator.step=auto";
-  ASSERT_EQ(call("run torn.toml --out one --threads 1" + follow).status, 0);
-  ASSERT_EQ(call("run torn.toml --out three --threads 3" + follow).status, 0);
-  EXPECT_EQ(folder_.read("one/history.csv"), folder_.read("three/history.csv"));
+  expectSameForAnyThreads(torn, "--set integrator.method=symplectic-euler --set integrator.step=auto");
   EXPECT_EQ(folder_.read("one/probes.csv"), folder_.read("three/probes.csv"));
   EXPECT_EQ(json("one/summary.json")["erosion"], json("three/summary.json")["erosion"]);
 }
 
 TEST_F(Erosion, IsRefusedWithWhatItDoesNotGoWith) {
-  folder_.write("scene.toml", std::string(tiny) + "[erosion]\nmax_stretch = 1.5\n");
   const auto refused = [&](const std::string& options, const std::string& what) {
-    expectRefused("run scene.toml --out bad " + options, what);
-    EXPECT_FALSE(exists("bad"));
+    refuseScene(std::string(tiny) + "[erosion]\nmax_stretch = 1.5\n", what, options);
   };
   refused("--set erosion.max_stretch=1", "must be > 1");
   refused("--set erosion.least_step=-1", "must be > 0");
   refused("--set erosion.max_strech=2", "did you mean \"max_stretch\"?");
-  folder_.write("scene.toml", std::string(tiny) + "[erosion]\nevery = 3\n");
-  refused("", "[erosion]: there is no criterion; give inverted = true");
+  refuseScene(std::string(tiny) + "[erosion]\nevery = 3\n", "[erosion]: there is no criterion; give inverted = true");
 }
 
 // All elements behind a plane go; their nodes are left on springs, h = 2 √(m/k), and no element proves more.

@@ -30,33 +30,15 @@ picture = false
 
 class Loads : public Program {
  protected:
-  void run(const std::string& more, const std::string& options = "") {
-    folder_.write("scene.toml", bar + more);
-    const Outcome outcome = call("run scene.toml --out r " + options);
-    ASSERT_EQ(outcome.status, 0) << outcome.out << outcome.err;
-  }
+  void run(const std::string& more, const std::string& options = "") { runScene(bar + more, options); }
   /// Displacements in the last frame, 3×N, m.
-  NodeVectors lastDisplacement() {
-    const auto frames = json("r/summary.json")["frames"].get<int>();
-    const auto state =
-        loadVtuState(folder_.path() / joinText("r/frames/frame_00000", frames, ".vtu"), "displacement", nullptr);
+  NodeVectors lastDisplacement() const {
+    const MeshState state = lastFrame();
     return state.x - state.mesh.X;
   }
-  /// Of the history, relative to the largest kinetic energy.
-  double largestImbalance() {
-    const Table history = table("r/history.csv");
-    double error = 0, kinetic = 0;
-    for (std::size_t i = 0; i < history.rows.size(); ++i) {
-      error = std::max(error, std::abs(history.number(i, "balance_error_J")));
-      kinetic = std::max(kinetic, history.number(i, "kinetic_J"));
-    }
-    return error / kinetic;
-  }
-  void refuse(const std::string& more, const std::string& what, const std::string& options = "") {
-    folder_.write("scene.toml", bar + more);
-    expectRefused("run scene.toml --out refused " + options, what);
-    EXPECT_FALSE(exists("refused"));
-  }
+  /// The error of the energy balance over the largest kinetic energy.
+  double largestImbalance() const { return history_.largest("balance_error_J") / history_.largest("kinetic_J"); }
+  void refuse(const std::string& more, const std::string& what) { refuseScene(bar + more, what); }
 };
 
 // x = X + v t + g t²/2, which central differences follow without error.
@@ -67,7 +49,7 @@ TEST_F(Loads, LetABodyFlyFreely) {
   const double t = 0.05;
   const Eigen::Vector3d expected = Eigen::Vector3d(1.5, -0.5, 2) * t + 0.5 * Eigen::Vector3d(0, 0, -9.81) * t * t;
   EXPECT_LT((u.colwise() - expected).cwiseAbs().maxCoeff(), 2.5e-16);
-  EXPECT_NEAR(table("r/history.csv").number(0, "kinetic_J"), 0.5 * 0.32 * (1.5 * 1.5 + 0.25 + 4), 6.6e-16);
+  EXPECT_NEAR(history_.number(0, "kinetic_J"), 0.5 * 0.32 * (1.5 * 1.5 + 0.25 + 4), 6.6e-16);
   EXPECT_LT(largestImbalance(), 4.4e-15);
 }
 
@@ -96,8 +78,8 @@ TEST_F(Loads, LetABodyTurnAboutAnAxis) {
   EXPECT_NEAR(momentum()[2] / (3 * moment), 1, 1.9e-15);
   EXPECT_LT(momentum().head<2>().norm(), 1.4e-18);
   // The program starts from the same.
-  ASSERT_EQ(call("run scene.toml --out r").status, 0);
-  EXPECT_NEAR(table("r/history.csv").number(0, "kinetic_J"), 0.5 * moment * 9 + 0.5 * 0.32 * 0.0625, 2e-17);
+  runScene(folder_.read("scene.toml"));
+  EXPECT_NEAR(history_.number(0, "kinetic_J"), 0.5 * moment * 9 + 0.5 * 0.32 * 0.0625, 2e-17);
 }
 
 TEST_F(Loads, LetABodyFallIntoItsSupports) {
@@ -121,10 +103,8 @@ TEST_F(Loads, FollowATable) {
   run("[[force]]\nwhere = \"all\"\nforce = [0.64, 0, 0]\ntimes = [0.01, 0.02, 0.03]\nfactors = [0, 1, 0.5]\n"
       "[[force]]\nwhere = \"all\"\nforce = [0, 0.32, 0]\n");
   // To 0.05 s: 0.005 + 0.0075 + 0.02 * 0.5 = 0.0225 s, and 0.05 s of the constant one.
-  const Table history = table("r/history.csv");
-  const std::size_t last = history.rows.size() - 1;
-  const double t = history.number(last, "time_s"), vx = 0.64 / 0.32 * (0.0125 + 0.5 * (t - 0.03)), vy = t;
-  EXPECT_NEAR(history.number(last, "kinetic_J") / (0.5 * 0.32 * (vx * vx + vy * vy)), 1, 5.6e-15);
+  const double t = history_.last("time_s"), vx = 0.64 / 0.32 * (0.0125 + 0.5 * (t - 0.03)), vy = t;
+  EXPECT_NEAR(history_.last("kinetic_J") / (0.5 * 0.32 * (vx * vx + vy * vy)), 1, 5.6e-15);
   // Work by the trapezoidal rule against kicks: an error of the second order of the step.
   const double coarse = largestImbalance();
   run("[[force]]\nwhere = \"all\"\nforce = [0.64, 0, 0]\ntimes = [0.01, 0.02, 0.03]\nfactors = [0, 1, 0.5]\n"
@@ -142,14 +122,12 @@ TEST_F(Loads, MoveByATable) {
         "\"smooth\"\n",
         std::string("--set integrator.step=") + step);
     const NodeVectors u = lastDisplacement();
-    const double t = json("r/summary.json")["end_time"].get<double>(), way = 0.02 + (t - 0.04);
+    const double t = summary_["end_time"].get<double>(), way = 0.02 + (t - 0.04);
     EXPECT_LT((u.colwise() - Eigen::Vector3d(0.8 * way, 0, -0.4 * way)).cwiseAbs().maxCoeff(), 7e-16) << step;
-    const Table history = table("r/history.csv");
-    const std::size_t last = history.rows.size() - 1;
-    EXPECT_EQ(history.number(0, "kinetic_J"), 0);
-    EXPECT_NEAR(history.number(last, "kinetic_J"), 0.5 * 0.32 * 0.8, 8e-16);
+    EXPECT_EQ(history_.number(0, "kinetic_J"), 0);
+    EXPECT_NEAR(history_.last("kinetic_J"), 0.5 * 0.32 * 0.8, 8e-16);
     // Work is summed up over steps and nodes, some 4500 of them: their rounding is at most 4500 ulp of it.
-    EXPECT_NEAR(history.number(last, "external_work_J"), 0.5 * 0.32 * 0.8, 1e-14);
+    EXPECT_NEAR(history_.last("external_work_J"), 0.5 * 0.32 * 0.8, 1e-14);
     EXPECT_LT(largestImbalance(), 1e-13);
   }
 }
@@ -161,11 +139,9 @@ TEST_F(Loads, PullSmoothlyWithoutVibration) {
       "[0, 1]\n"
       "ramp = \"smooth\"\n",
       "--set integrator.end=2 --set material.model=linear --set material.poisson=0 --set output.every=1");
-  const Table history = table("r/history.csv");
-  const std::size_t last = history.rows.size() - 1;
   const double elongation = 0.048 * 0.2 / (0.0016 * 30e3);
-  EXPECT_NEAR(history.number(last, "strain_J") / (0.5 * 0.048 * elongation), 1, 3e-3);
-  EXPECT_LT(history.number(last, "kinetic_J"), 1e-5 * history.number(last, "strain_J"));
+  EXPECT_NEAR(history_.last("strain_J") / (0.5 * 0.048 * elongation), 1, 3e-3);
+  EXPECT_LT(history_.last("kinetic_J"), 1e-5 * history_.last("strain_J"));
 }
 
 TEST(TimeTable, IntegratesWhatItSays) {

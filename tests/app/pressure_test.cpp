@@ -50,26 +50,12 @@ picture = false
 class Pressed : public Program {
  protected:
   NodeVectors run(const std::string& more) {
-    folder_.write("scene.toml", cube + more);
-    const Outcome outcome = call("run scene.toml --out r");
-    EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
-    const auto frames = json("r/summary.json")["frames"].get<int>();
-    const auto state =
-        loadVtuState(folder_.path() / joinText("r/frames/frame_00000", frames, ".vtu"), "displacement", nullptr);
+    runScene(cube + more);
+    const MeshState state = lastFrame();
     X_ = state.mesh.X;
     return state.x;
   }
-  double largestImbalance() const {
-    const Table history = table("r/history.csv");
-    double error = 0;
-    for (std::size_t i = 0; i < history.rows.size(); ++i)
-      error = std::max(error, std::abs(history.number(i, "balance_error_J")));
-    return error;
-  }
-  void refuse(const std::string& more, const std::string& what, const std::string& options = "") {
-    folder_.write("scene.toml", cube + more);
-    expectRefused("run scene.toml --out refused " + options, what);
-  }
+  void refuse(const std::string& more, const std::string& what) { refuseScene(cube + more, what); }
   NodeVectors X_;
 };
 
@@ -85,9 +71,9 @@ TEST_F(Pressed, FollowsTheFaceThatItActsOn) {
   EXPECT_NEAR(moved[0], scale * (1 - std::cos(omega * t)), 1e-4 * scale);
   EXPECT_NEAR(moved[1], scale * (omega * t - std::sin(omega * t)), 1e-4 * scale);
   EXPECT_NEAR(moved[2], 0, 1e-12);
-  EXPECT_LE(largestImbalance(), 1e-6);
+  EXPECT_LE(history_.largest("balance_error_J"), 1e-6);
   bool told = false;
-  const Json notes = json("r/summary.json")["notes"];
+  const Json notes = summary_["notes"];
   for (const Json& note : notes)
     told = told || note.get<std::string>().find("pressure: its load stiffness is not symmetric") == 0;
   EXPECT_TRUE(told);
@@ -96,10 +82,9 @@ TEST_F(Pressed, FollowsTheFaceThatItActsOn) {
 // With a ramp the impulse is p A ∫ factor dt.
 TEST_F(Pressed, FollowsItsTable) {
   run("[[pressure]]\nwhere = \"x < 1e-6\"\npressure = 200\ntimes = [0, 0.1]\nfactors = [0, 1]\n");
-  const Table history = table("r/history.csv");
   const double speed = 2 * (0.05 + 0.1);
-  EXPECT_NEAR(history.number(history.rows.size() - 1, "kinetic_J"), 0.5 * speed * speed, 1e-3 * speed * speed);
-  EXPECT_LE(largestImbalance(), 1e-5);
+  EXPECT_NEAR(history_.last("kinetic_J"), 0.5 * speed * speed, 1e-3 * speed * speed);
+  EXPECT_LE(history_.largest("balance_error_J"), 1e-5);
 }
 
 // All nodes turn and move as one: positions at the ends of steps are exact.
@@ -115,11 +100,10 @@ TEST_F(Pressed, SetsTurnAboutAnAxis) {
   // A face that turns takes the rest of a body with it, and the support's work is what the body gains.
   run("[[move]]\nwhere = \"x < 1e-6\"\nangular_velocity = [2, 0, 0]\npoint = [0, 0.05, 0.05]\ntimes = [0, 0.1]\n"
       "factors = [0, 1]\nramp = \"smooth\"\n");
-  const Table history = table("r/history.csv");
   // ½ J ω², J of eight equal masses at the corners.
   const double expectedEnergy = 0.5 * (1.0 * 0.1 * 0.1 / 2) * 4;
-  EXPECT_NEAR(history.number(history.rows.size() - 1, "kinetic_J"), expectedEnergy, 0.05 * expectedEnergy);
-  EXPECT_LE(largestImbalance(), 1e-3 * expectedEnergy);
+  EXPECT_NEAR(history_.last("kinetic_J"), expectedEnergy, 0.05 * expectedEnergy);
+  EXPECT_LE(history_.largest("balance_error_J"), 1e-3 * expectedEnergy);
 }
 
 TEST_F(Pressed, RefusesWhatCannotBe) {

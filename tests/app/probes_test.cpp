@@ -1,4 +1,4 @@
-// Probes and reaction forces along a run, against closed forms, momentum and the energies of the history.
+// Probes and reaction forces along a run, against closed forms, momentum and the energies of the history_.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -84,10 +84,7 @@ reactions = true
 class Probes : public Program {
  protected:
   Table run(const std::string& scene, const std::string& options = "") {
-    folder_.write("scene.toml", scene);
-    const Outcome outcome = call("run scene.toml --out r " + options);
-    EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
-    EXPECT_THAT(outcome.out, HasSubstr("probes.csv"));
+    EXPECT_THAT(runScene(scene, options).out, HasSubstr("probes.csv"));
     return table("r/probes.csv");
   }
 };
@@ -184,15 +181,15 @@ picture = false
 }
 
 TEST_F(Probes, EnergiesOfPartsAddUpToThoseOfTheHistory) {
-  const Table found = run(busy), history = table("r/history.csv");
-  ASSERT_EQ(found.rows.size(), history.rows.size());
+  const Table found = run(busy);
+  ASSERT_EQ(found.rows.size(), history_.rows.size());
   double kinetic = 0, strain = 0;
   // Energies of parts are summed in a loop of their own, that of the history in the one of the force. Their laws take
   // them as differences of terms of the size of modulus × volume, 4 J here; measured: 1.9e-17 J.
   constexpr double rounding = 5.7e-17;
   for (std::size_t i = 0; i < found.rows.size(); ++i)
     for (const std::string kind : {"kinetic", "strain"}) {
-      const double total = history.number(i, kind + "_J");
+      const double total = history_.number(i, kind + "_J");
       EXPECT_NEAR(found.number(i, "part0.energy_" + kind + "_J") + found.number(i, "part1.energy_" + kind + "_J"),
                   total, 2.3e-15 * total + rounding);
       (kind == "kinetic" ? kinetic : strain) = std::max(kind == "kinetic" ? kinetic : strain, total);
@@ -222,7 +219,7 @@ what = "step"
 metric = "pressure-wave"
 name = "wave"
 )";
-  const Table found = run(busy + steps, "--set output.every=0.01"), history = table("r/history.csv");
+  const Table found = run(busy + steps, "--set output.every=0.01");
   for (const int frame : {0, 1, 2, 3}) {
     const VtuFrame read = readVtuFrame(folder_.path() / joinText("r/frames/frame_00000", frame + 1, ".vtu"));
     const auto field = std::ranges::find(read.cells, "optimistic step by reduced-1-ring (s)", &FrameField::name);
@@ -235,7 +232,7 @@ name = "wave"
     const double all = found.number(i, "whole.optimistic_step_s");
     EXPECT_EQ(all, std::min(found.number(i, "left.optimistic_step_s"), found.number(i, "right.optimistic_step_s")));
     EXPECT_LE(found.number(i, "single.safe_step_s"), all);
-    EXPECT_LE(history.number(i, "safe_s"), all);
+    EXPECT_LE(history_.number(i, "safe_s"), all);
     EXPECT_GT(found.number(i, "wave.estimate_step_s"), 0);
     least = std::min(least, all);
   }
@@ -246,7 +243,7 @@ TEST_F(Probes, ComeAtTheirIntervalWithTheirUnitsAndTheSameBitsForAnyNumberOfThre
   const Table found = run(busy, "--set output.probe_every=7 --threads 1");
   const std::string one = folder_.read("r/probes.csv");
   for (std::size_t i = 0; i < found.rows.size(); ++i) EXPECT_EQ(found.at(i, "step"), std::to_string(7 * i));
-  const Json columns = json("r/summary.json")["probes"];
+  const Json columns = summary_["probes"];
   ASSERT_EQ(columns.size() + 2, found.columns.size());
   for (std::size_t i = 0; i < columns.size(); ++i) EXPECT_EQ(columns[i]["column"], found.columns[i + 2]);
   EXPECT_EQ(columns[0]["unit"], "kg m/s");
@@ -261,11 +258,10 @@ TEST_F(Probes, ComeAtTheirIntervalWithTheirUnitsAndTheSameBitsForAnyNumberOfThre
 
 TEST_F(Probes, DoNotChangeTheRun) {
   run(busy);
-  const std::string with = folder_.read("r/history.csv");
+  const std::string with = folder_.read("r/history_.csv");
   const std::string scene(busy);
-  folder_.write("scene.toml", scene.substr(0, scene.find("[[probe]]")) + "[output]\npicture = false\n");
-  EXPECT_EQ(call("run scene.toml --out r").status, 0);
-  EXPECT_EQ(folder_.read("r/history.csv"), with);
+  runScene(scene.substr(0, scene.find("[[probe]]")) + "[output]\npicture = false\n");
+  EXPECT_EQ(folder_.read("r/history_.csv"), with);
 }
 
 TEST_F(Probes, GoOnThroughHandlersAndCuts) {
@@ -280,23 +276,19 @@ what = "energy"
 [[probe]]
 what = "reaction"
 )";
-  const Table found = run(test::tiny + more), history = table("r/history.csv");
-  ASSERT_EQ(found.rows.size(), history.rows.size());
-  EXPECT_EQ(json("r/summary.json")["cuts"].size(), 1u);
+  const Table found = run(test::tiny + more);
+  ASSERT_EQ(found.rows.size(), history_.rows.size());
+  EXPECT_EQ(summary_["cuts"].size(), 1u);
   for (std::size_t i = 0; i < found.rows.size(); ++i) {
-    EXPECT_NEAR(found.number(i, "probe.0.energy_strain_J"), history.number(i, "strain_J"),
-                2.3e-15 * history.number(i, "strain_J"));
-    EXPECT_NEAR(found.number(i, "probe.0.energy_kinetic_J"), history.number(i, "kinetic_J"),
-                2.3e-15 * history.number(i, "kinetic_J"));
+    EXPECT_NEAR(found.number(i, "probe.0.energy_strain_J"), history_.number(i, "strain_J"),
+                2.3e-15 * history_.number(i, "strain_J"));
+    EXPECT_NEAR(found.number(i, "probe.0.energy_kinetic_J"), history_.number(i, "kinetic_J"),
+                2.3e-15 * history_.number(i, "kinetic_J"));
   }
 }
 
 TEST_F(Probes, AreRefusedWhereTheyMakeNoSense) {
-  const auto refused = [&](const std::string& more, const std::string& what) {
-    folder_.write("scene.toml", std::string(drawn) + more);
-    expectRefused("run scene.toml --out bad", what);
-    EXPECT_FALSE(exists("bad"));
-  };
+  const auto refused = [&](const std::string& more, const std::string& what) { refuseScene(drawn + more, what); };
   refused("[[probe]]\nwhere = \"all\"\n", "probe.what: missing");
   refused("[[probe]]\nwhat = \"displacment\"\n", "did you mean \"displacement\"?");
   refused("[[probe]]\nwhat = \"energy\"\nas = \"mean\"\n",

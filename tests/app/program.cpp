@@ -3,6 +3,7 @@
 #include <sys/wait.h>
 
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -10,6 +11,8 @@
 #include <map>
 #include <regex>
 #include <sstream>
+
+#include <ringwatch/base/error.h>
 
 #include "schema_check.h"
 
@@ -123,12 +126,65 @@ void Program::expectRefused(const Outcome& outcome, const std::string& what) {
   EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
 }
 
+Outcome Program::runScene(const std::string& scene, const std::string& options, int status, const std::string& folder) {
+  folder_.write("scene.toml", scene);
+  Outcome outcome = call("run scene.toml --out " + folder + " " + options);
+  EXPECT_EQ(outcome.status, status) << outcome.out << outcome.err;
+  history_ = table(folder + "/history.csv");
+  summary_ = json(folder + "/summary.json");
+  return outcome;
+}
+
+void Program::refuseScene(const std::string& scene, const std::string& what, const std::string& options) {
+  folder_.write("scene.toml", scene);
+  expectRefused("run scene.toml --out refused " + options, what);
+  EXPECT_FALSE(exists("refused"));
+}
+
+void Program::expectSameForAnyThreads(const std::string& scene, const std::string& options) {
+  runScene(scene, "--threads 1 " + options, 0, "one");
+  runScene(scene, "--threads 3 " + options, 0, "three");
+  EXPECT_EQ(folder_.read("one/history.csv"), folder_.read("three/history.csv"));
+}
+
+void Program::expectSameWhenKilled(const std::string& scene, const std::string& options) {
+  runScene(scene, options + " --quiet", 0, "whole");
+  int resumed = 0;
+  bool ended = false;
+  for (double seconds = 0.15; !ended && seconds < 60; seconds *= 1.3) {
+    const bool again = exists("part/checkpoint.bin");
+    const std::string what = again ? "run --resume part --quiet" : "run scene.toml --out part --quiet " + options;
+    shell("'" + executable() + "' " + what + " & p=$!; sleep " + std::to_string(seconds) +
+          "; kill -KILL $p 2>/dev/null; wait $p");
+    resumed += again;
+    ended = exists("part/summary.json") && json("part/summary.json")["exit_reason"] == "end";
+  }
+  ASSERT_TRUE(ended);
+  EXPECT_GT(resumed, 0);
+  EXPECT_EQ(folder_.read("part/history.csv"), folder_.read("whole/history.csv"));
+  Json one = json("part/summary.json"), other = summary_;
+  for (Json* summary : {&one, &other})
+    for (const char* own : {"wall_time", "provenance"}) summary->erase(own);
+  EXPECT_EQ(one, other);
+}
+
+MeshState Program::lastFrame() const {
+  return loadVtuState(folder_.path() / joinText("r/frames/frame_00000", summary_["frames"].get<int>(), ".vtu"),
+                      "displacement", nullptr);
+}
+
 bool Program::exists(const std::string& name) const { return std::filesystem::exists(folder_.path() / name); }
 
 Json Program::parse(const std::string& text) { return Json::parse(text); }
 
 std::string Program::Table::at(std::size_t row, const std::string& column) const {
   return rows.at(row).at(std::find(columns.begin(), columns.end(), column) - columns.begin());
+}
+
+double Program::Table::largest(const std::string& column) const {
+  double most = 0;
+  for (std::size_t i = 0; i < rows.size(); ++i) most = std::max(most, std::abs(number(i, column)));
+  return most;
 }
 
 Program::Table Program::table(const std::string& name) const {

@@ -7,7 +7,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "temporary_folder.h"
+#include <ringwatch/meshes/mesh_io.h>
+#include <tests/support/temporary_folder.h>
 
 namespace nlohmann {
 /// How GoogleTest prints what it compares: compiled once.
@@ -51,6 +52,18 @@ class Program : public ::testing::Test {
     SCOPED_TRACE(arguments);
     expectRefused(call(arguments), what);
   }
+  /// Runs a scene into a folder, expects the status, and keeps the run's history and summary.
+  Outcome runScene(const std::string& scene, const std::string& options = "", int status = 0,
+                   const std::string& folder = "r");
+  /// Expects that a scene is refused, and that nothing was written.
+  void refuseScene(const std::string& scene, const std::string& what, const std::string& options = "");
+  /// Expects the same history of a scene for one thread and for three.
+  void expectSameForAnyThreads(const std::string& scene, const std::string& options = "");
+  /// Kills the run of a scene and resumes it, each time later, until it ends; expects the history and the summary of
+  /// the run that was not killed, which are kept.
+  void expectSameWhenKilled(const std::string& scene, const std::string& options);
+  /// The mesh at rest and the positions (m) in the last frame of the run that is kept.
+  MeshState lastFrame() const;
   bool exists(const std::string& name) const;
   Json json(const std::string& name) const { return parse(folder_.read(name)); }
   static Json parse(const std::string& text);
@@ -60,12 +73,17 @@ class Program : public ::testing::Test {
     std::vector<std::vector<std::string>> rows;
     std::string at(std::size_t row, const std::string& column) const;
     double number(std::size_t row, const std::string& column) const { return std::stod(at(row, column)); }
+    double last(const std::string& column) const { return number(rows.size() - 1, column); }
+    /// The largest absolute value of a column.
+    double largest(const std::string& column) const;
   };
   Table table(const std::string& name) const;
   /// No file that was left half written, nor a temporary one.
   void expectNothingHalfWritten(const std::string& name) const;
 
   TemporaryFolder folder_;
+  Table history_;
+  Json summary_;
 
  private:
   void expectValid(const std::string& arguments, const Outcome& outcome) const;

@@ -12,8 +12,8 @@
 #include <ringwatch/app/scene/scene_keys.h>
 #include <ringwatch/base/error.h>
 
+#include <tests/support/temporary_folder.h>
 #include "schema_check.h"
-#include "temporary_folder.h"
 
 namespace ringwatch {
 namespace {

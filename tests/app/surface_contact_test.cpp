@@ -52,43 +52,25 @@ constexpr const char* upperFalls = "[[initial]]\nset = \"upper\"\nvelocity = [0,
 
 class SurfaceContactRuns : public Program {
  protected:
-  void run(const std::string& more, const std::string& options = "", int status = 0) {
-    folder_.write("scene.toml", twoCubes + more);
-    const Outcome outcome = call("run scene.toml --out r " + options);
-    ASSERT_EQ(outcome.status, status) << outcome.out << outcome.err;
-    history_ = table("r/history.csv");
-    summary_ = json("r/summary.json");
-  }
-  double last(const std::string& column) const { return history_.number(history_.rows.size() - 1, column); }
-  double largest(const std::string& column) const {
-    double most = 0;
-    for (std::size_t i = 0; i < history_.rows.size(); ++i) most = std::max(most, std::abs(history_.number(i, column)));
-    return most;
-  }
+  void run(const std::string& more, const std::string& options = "") { runScene(twoCubes + more, options); }
   /// How far the middles of the two cubes have come, m.
   std::array<Eigen::Vector3d, 2> moved() const {
-    const auto frames = summary_["frames"].get<int>();
-    const auto state =
-        loadVtuState(folder_.path() / joinText("r/frames/frame_00000", frames, ".vtu"), "displacement", nullptr);
+    const MeshState state = lastFrame();
     const NodeVectors moved = state.x - state.mesh.X;
     return {Eigen::Vector3d(moved.leftCols(8).rowwise().mean()), Eigen::Vector3d(moved.rightCols(8).rowwise().mean())};
   }
   void refuse(const std::string& more, const std::string& what, const std::string& options = "") {
-    folder_.write("scene.toml", twoCubes + more);
-    expectRefused("run scene.toml --out refused " + options, what);
-    EXPECT_FALSE(exists("refused"));
+    refuseScene(twoCubes + more, what, options);
   }
-  Table history_;
-  Json summary_;
 };
 
 // Equal masses exchange their speeds: eight springs of 100 N/m between the four pairs of nodes, whose deepest point is
 // v √(μ/κ) with the reduced mass μ = m/2.
 TEST_F(SurfaceContactRuns, CubesThatCollideExchangeTheirSpeeds) {
   run(std::string(upperFalls) + "[[contact]]\nwith = \"surface\"\npenalty = 100\n");
-  EXPECT_NEAR(largest("kinetic_J"), 0.02, 1e-6);
-  EXPECT_NEAR(last("kinetic_J"), 0.02, 2e-6);
-  EXPECT_LE(largest("balance_error_J"), 2e-6);
+  EXPECT_NEAR(history_.largest("kinetic_J"), 0.02, 1e-6);
+  EXPECT_NEAR(history_.last("kinetic_J"), 0.02, 2e-6);
+  EXPECT_LE(history_.largest("balance_error_J"), 2e-6);
   const Json& found = summary_["discrete_forces"];
   EXPECT_EQ(found["contact_nodes"], 16);
   EXPECT_EQ(found["most_touching"], 8);
@@ -114,8 +96,8 @@ TEST_F(SurfaceContactRuns, HasTheRestitutionOfItsDamping) {
       "[[fix]]\nset = \"lower\"\n[[contact]]\nwith = \"surface\"\nset = \"upper\"\nto_set = \"lower\"\npenalty = 100\n"
       "damping = 0.2\n");
   const double zeta = 0.2 / std::sqrt(2.0), e = std::exp(-pi * zeta / std::sqrt(1 - zeta * zeta));
-  EXPECT_NEAR(std::sqrt(last("kinetic_J") / 0.02), e, 1.8e-3);
-  EXPECT_NEAR(last("dissipated_J"), 0.02 * (1 - e * e), 1e-4);
+  EXPECT_NEAR(std::sqrt(history_.last("kinetic_J") / 0.02), e, 1.8e-3);
+  EXPECT_NEAR(history_.last("dissipated_J"), 0.02 * (1 - e * e), 1e-4);
   EXPECT_EQ(summary_["discrete_forces"]["most_touching"], 4);
   EXPECT_EQ(summary_["verdict"], "certified");
 }
@@ -130,7 +112,7 @@ TEST_F(SurfaceContactRuns, BouncingCubeKeepsItsEnergy) {
                v = std::sqrt(2 * g * height);
   // On the penalty z = -(v/ω) sin ωt - (g/ω²)(1 - cos ωt) returns to zero after (2/ω)(π - atan(v ω/g)).
   const double contact = 2 / omega * (pi - std::atan(v * omega / g)), period = 2 * v / g + contact;
-  EXPECT_LE(largest("balance_error_J"), 2e-3 * cubeMass * g * height);
+  EXPECT_LE(history_.largest("balance_error_J"), 2e-3 * cubeMass * g * height);
   std::vector<double> tops;
   for (std::size_t i = 1; i + 1 < history_.rows.size(); ++i) {
     const double before = history_.number(i - 1, "kinetic_J"), now = history_.number(i, "kinetic_J"),
@@ -199,27 +181,18 @@ picture = false
 )";
 
 TEST_F(SurfaceContactRuns, APenaltyMadeForTheStepLeavesIt) {
-  folder_.write("scene.toml", std::string(softBlocks) + "[[contact]]\nwith = \"surface\"\n");
-  const Outcome outcome = call("run scene.toml --out r");
-  ASSERT_EQ(outcome.status, 0) << outcome.out << outcome.err;
-  const Json summary = json("r/summary.json");
-  EXPECT_EQ(summary["verdict"], "certified");
-  EXPECT_EQ(summary["certified_steps"], summary["steps"]);
-  EXPECT_GT(summary["discrete_forces"]["most_touching"].get<int>(), 10);
-  const Table history = table("r/history.csv");
-  double error = 0;
-  for (std::size_t i = 0; i < history.rows.size(); ++i)
-    error = std::max(error, std::abs(history.number(i, "balance_error_J")));
-  EXPECT_LE(error, 0.03 * history.number(0, "kinetic_J"));
+  const Outcome outcome = runScene(std::string(softBlocks) + "[[contact]]\nwith = \"surface\"\n");
+  EXPECT_EQ(summary_["verdict"], "certified");
+  EXPECT_EQ(summary_["certified_steps"], summary_["steps"]);
+  EXPECT_GT(summary_["discrete_forces"]["most_touching"].get<int>(), 10);
+  EXPECT_LE(history_.largest("balance_error_J"), 0.03 * history_.number(0, "kinetic_J"));
   EXPECT_THAT(outcome.out, HasSubstr("deep into surface"));
 }
 
 TEST_F(SurfaceContactRuns, SaysWhenContactGovernsAndWhichPenaltyWouldNot) {
-  folder_.write("scene.toml", std::string(softBlocks) + "[[contact]]\nwith = \"surface\"\npenalty = 5e4\n");
-  const Outcome outcome = call("run scene.toml --out r");
-  EXPECT_EQ(outcome.status, 1) << outcome.out << outcome.err;
-  EXPECT_THAT(outcome.out, HasSubstr("springs or contact govern"));
-  const Json found = json("r/summary.json")["discrete_forces"];
+  EXPECT_THAT(runScene(std::string(softBlocks) + "[[contact]]\nwith = \"surface\"\npenalty = 5e4\n", "", 1).out,
+              HasSubstr("springs or contact govern"));
+  const Json& found = summary_["discrete_forces"];
   EXPECT_GT(found["governed_observations"].get<int>(), 0);
   const double room = found["room"]["penalty"].get<double>();
   ASSERT_GT(room, 0);
@@ -229,36 +202,15 @@ TEST_F(SurfaceContactRuns, SaysWhenContactGovernsAndWhichPenaltyWouldNot) {
 }
 
 TEST_F(SurfaceContactRuns, IsTheSameForAnyNumberOfThreads) {
-  folder_.write("scene.toml",
-                std::string(softBlocks) + "[[contact]]\nwith = \"surface\"\ndamping = 0.1\nfriction = 0.2\n");
-  ASSERT_EQ(call("run scene.toml --out one --threads 1").status, 0);
-  ASSERT_EQ(call("run scene.toml --out three --threads 3").status, 0);
-  EXPECT_EQ(folder_.read("one/history.csv"), folder_.read("three/history.csv"));
+  expectSameForAnyThreads(std::string(softBlocks) + "[[contact]]\nwith = \"surface\"\ndamping = 0.1\nfriction = 0.2\n");
 }
 
 TEST_F(SurfaceContactRuns, ResumedRunsHaveTheBitsOfTheOneThatWasNotStopped) {
-  folder_.write("scene.toml",
-                std::string(softBlocks) +
-                    "checkpoint_every = 1e-3\n[[contact]]\nwith = \"surface\"\ndamping = 0.1\nfriction = 0.3\n");
   // The upper block hangs over the lower one's edges, which its own edges cross.
-  const std::string more =
-      " --set integrator.end=0.05 --set mesh.upper_size=[0.05,0.03,0.03] --set contact.0.edges=true --quiet";
-  ASSERT_EQ(call("run scene.toml --out whole" + more).status, 0);
-  int resumed = 0;
-  bool ended = false;
-  for (double seconds = 0.15; !ended && seconds < 60; seconds *= 1.3) {
-    const bool again = exists("part/checkpoint.bin");
-    const std::string what = again ? "run --resume part --quiet" : "run scene.toml --out part" + more;
-    shell("'" + executable() + "' " + what + " & p=$!; sleep " + std::to_string(seconds) +
-          "; kill -KILL $p 2>/dev/null; wait $p");
-    resumed += again;
-    ended = exists("part/summary.json") && json("part/summary.json")["exit_reason"] == "end";
-  }
-  ASSERT_TRUE(ended);
-  EXPECT_GT(resumed, 0);
-  EXPECT_EQ(folder_.read("part/history.csv"), folder_.read("whole/history.csv"));
-  EXPECT_EQ(json("part/summary.json")["discrete_forces"], json("whole/summary.json")["discrete_forces"]);
-  EXPECT_GT(json("whole/summary.json")["discrete_forces"]["most_touching"].get<int>(), 0);
+  expectSameWhenKilled(std::string(softBlocks) +
+                           "checkpoint_every = 1e-3\n[[contact]]\nwith = \"surface\"\ndamping = 0.1\nfriction = 0.3\n",
+                       "--set integrator.end=0.05 --set mesh.upper_size=[0.05,0.03,0.03] --set contact.0.edges=true");
+  EXPECT_GT(summary_["discrete_forces"]["most_touching"].get<int>(), 0);
 }
 
 /// Two stiff cubes of 1 kg with an edge towards each other, 1 mm apart, which cross.
@@ -289,13 +241,7 @@ class CrossedEdgeRuns : public SurfaceContactRuns {
     return "[mesh]\nfile = \"cubes.msh\"\n" + all.substr(all.find("[material]")) +
            "[[initial]]\nwhere = \"z > 0\"\nvelocity = [0, 0, -0.2]\n[[contact]]\nwith = \"surface\"\n" + more;
   }
-  void collide(const std::string& more, const std::string& options = "") {
-    folder_.write("scene.toml", scene(more));
-    const Outcome outcome = call("run scene.toml --out r " + options);
-    ASSERT_EQ(outcome.status, 0) << outcome.out << outcome.err;
-    history_ = table("r/history.csv");
-    summary_ = json("r/summary.json");
-  }
+  void collide(const std::string& more, const std::string& options = "") { runScene(scene(more), options); }
 };
 
 // One spring of 800 N/m between the two ridges: as two masses on it, equal cubes exchange their speeds.
@@ -308,8 +254,8 @@ TEST_F(CrossedEdgeRuns, EdgesThatCollideExchangeTheirSpeeds) {
   EXPECT_NEAR(found["deepest"]["depth"].get<double>(), deepest, 0.01 * deepest);
   EXPECT_EQ(summary_["verdict"], "certified");
   EXPECT_EQ(summary_["certified_steps"], summary_["steps"]);
-  EXPECT_NEAR(last("kinetic_J"), 0.02, 2e-4);
-  EXPECT_LE(largest("balance_error_J"), 2e-4);
+  EXPECT_NEAR(history_.last("kinetic_J"), 0.02, 2e-4);
+  EXPECT_LE(history_.largest("balance_error_J"), 2e-4);
   const auto [lower, upper] = moved();
   EXPECT_NEAR(lower[2] + upper[2], -cubeSpeed * 0.3, 1e-12);
   const double after = 0.3 - 0.001 / cubeSpeed - lasts;
@@ -330,8 +276,8 @@ TEST_F(CrossedEdgeRuns, HaveTheRestitutionOfTheirDamping) {
   const double c = 2 * 0.4 * std::sqrt(800 * cubeMass / 8), zeta = c / (2 * std::sqrt(800 * 0.5 * cubeMass)),
                e = std::exp(-pi * zeta / std::sqrt(1 - zeta * zeta));
   // Their common speed stays: v²/4 each.
-  EXPECT_NEAR(last("kinetic_J"), 0.01 * (1 + e * e), 2e-4);
-  EXPECT_NEAR(last("dissipated_J"), 0.01 * (1 - e * e), 2e-4);
+  EXPECT_NEAR(history_.last("kinetic_J"), 0.01 * (1 + e * e), 2e-4);
+  EXPECT_NEAR(history_.last("dissipated_J"), 0.01 * (1 - e * e), 2e-4);
   EXPECT_EQ(summary_["verdict"], "certified");
 }
 
@@ -343,7 +289,7 @@ TEST_F(CrossedEdgeRuns, APenaltyMadeForTheStepLeavesIt) {
   // A node's mass for twenty steps: m/8 (π/20h)².
   EXPECT_NEAR(summary_["discrete_forces"]["penalty"]["largest"].get<double>(),
               cubeMass / 8 * std::pow(pi / (20 * 1e-4), 2), 1.0);
-  EXPECT_LE(largest("balance_error_J"), 0.03 * 0.02);
+  EXPECT_LE(history_.largest("balance_error_J"), 0.03 * 0.02);
   EXPECT_GT(moved()[0][2] * -1, 0.9 * cubeSpeed * 0.29);
 }
 

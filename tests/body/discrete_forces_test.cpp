@@ -12,6 +12,7 @@
 #include <ringwatch/body/body.h>
 #include <ringwatch/body/discrete_forces.h>
 #include <ringwatch/body/sub_body.h>
+#include <tests/body/discrete_matrices.h>
 #include <tests/support/body_cases.h>
 #include <tests/support/random.h>
 
@@ -20,6 +21,7 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
+using test::denseOf;
 
 struct NamedObstacle {
   std::string name;
@@ -140,14 +142,6 @@ struct Made {
   }
 };
 
-/// K + f C as a dense matrix.
-Eigen::MatrixXd denseTangent(const DiscreteForces& forces, const NodeVectors& x) {
-  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(x.size(), x.size());
-  forces.forEachBlock(
-      x, [&](std::int32_t i, std::int32_t j, const Matrix3d& block) { K.block<3, 3>(3 * i, 3 * j) += block; });
-  return K;
-}
-
 TEST(DiscreteForces, ForcesAreDerivativesOfTheEnergyAndTangentsOfForces) {
   int compared = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
@@ -164,7 +158,7 @@ TEST(DiscreteForces, ForcesAreDerivativesOfTheEnergyAndTangentsOfForces) {
     made.forces.addInternalForce(before, fBefore);
     made.forces.addTangentProduct(made.x, u, Ku);
     const NodeVectors difference = (fAfter - fBefore) / (2 * h);
-    EXPECT_LE((denseTangent(made.forces, made.x) * u.reshaped() - Ku.reshaped()).norm(), 1e-12 * Ku.norm()) << seed;
+    EXPECT_LE((denseOf(made.forces, made.x) * u.reshaped() - Ku.reshaped()).norm(), 1e-12 * Ku.norm()) << seed;
     EXPECT_NEAR(made.forces.form(made.x, u), u.cwiseProduct(Ku).sum(), 1e-12 * Ku.norm() * u.norm());
     // Contact that begins or ends in between, or an edge of a box, has no tangent there.
     if ((difference - Ku).norm() > 1e-5 * Ku.norm()) continue;
@@ -227,25 +221,18 @@ TEST(DiscreteForces, MajorantsHoldWhicheverNodesTouch) {
     std::vector<Matrix3d> majorants, withRoom;
     made.forces.majorants(made.x, false, majorants);
     made.forces.majorants(made.x, true, withRoom);
-    Eigen::MatrixXd bound = Eigen::MatrixXd::Zero(18, 18);
     for (std::size_t k = 0; k < majorants.size(); ++k) {
-      const std::int32_t node = made.forces.nodes()[k];
-      bound.block<3, 3>(3 * node, 3 * node) = majorants[k];
-      const auto least = [](const Matrix3d& S) { return Eigen::SelfAdjointEigenSolver<Matrix3d>(S).eigenvalues()[0]; };
-      EXPECT_GE(least(majorants[k]), 0);
-      EXPECT_GE(least(withRoom[k] - majorants[k]), -1e-12);
+      EXPECT_GE(test::leastEigenvalue(majorants[k]), 0);
+      EXPECT_GE(test::leastEigenvalue(withRoom[k] - majorants[k]), -1e-12);
     }
+    Eigen::MatrixXd bound = test::majorantOf(made.forces, made.x);
     for (int trial = 0; trial < 50; ++trial) {
       // Some of the nodes within reach touch: another state, whose contact is a subset of what majorants count.
-      const Eigen::MatrixXd K = denseTangent(made.forces, made.x);
-      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(bound - K);
-      ASSERT_GE(solver.eigenvalues()[0], -1e-12 * bound.norm()) << seed;
+      test::expectAbove(bound, denseOf(made.forces, made.x), static_cast<std::int64_t>(seed));
       ++trials;
       // A step along the plane's normal within the reach: the plane's contact toggles, round ones turn a little.
       made.x.col(random.index(6)) += random.vector(1e-4);
-      made.forces.majorants(made.x, false, majorants);
-      for (std::size_t k = 0; k < majorants.size(); ++k)
-        bound.block<3, 3>(3 * made.forces.nodes()[k], 3 * made.forces.nodes()[k]) = majorants[k];
+      bound = test::majorantOf(made.forces, made.x);
     }
   }
   EXPECT_EQ(trials, 5000);
@@ -267,8 +254,8 @@ TEST(DiscreteForces, OneLookServesAllCallsAtItsPositions) {
     };
     const std::vector<double> further(made.forces.nodes().size(), 0.1);
     const auto ask = [&](const NodeVectors& x) {
-      All all{NodeVectors::Zero(3, 40),    NodeVectors::Zero(3, 40), made.forces.energy(x), {}, {},
-              denseTangent(made.forces, x)};
+      All all{NodeVectors::Zero(3, 40), NodeVectors::Zero(3, 40), made.forces.energy(x), {}, {},
+              denseOf(made.forces, x)};
       made.forces.addInternalForce(x, all.force);
       made.forces.addDampingForce(x, v, all.damping);
       made.forces.majorants(x, true, all.majorants);
@@ -313,7 +300,7 @@ TEST(DiscreteForces, CountContactWithinReach) {
   forces.majorants(x, false, majorants);
   EXPECT_NEAR(majorants[0](2, 2), 100, 1e-6);
   EXPECT_EQ(majorants[1].norm(), 0);
-  EXPECT_EQ(denseTangent(forces, x).norm(), 0);  // from below only what touches counts
+  EXPECT_EQ(denseOf(forces, x).norm(), 0);  // from below only what touches counts
 }
 
 TEST(DiscreteForces, ArePartOfABody) {
@@ -336,7 +323,7 @@ TEST(DiscreteForces, ArePartOfABody) {
     contact.damping.assign(body.nodeCount(), 0);
     forces.add(contact);
     ASSERT_GT(forces.contactState(x).touching, 0);
-    const Eigen::MatrixXd own = denseTangent(forces, x);
+    const Eigen::MatrixXd own = denseOf(forces, x);
     const double ownEnergy = forces.energy(x);
     NodeVectors ownForce = NodeVectors::Zero(3, x.cols()), f;
     forces.addInternalForce(x, ownForce);
@@ -368,7 +355,7 @@ TEST(DiscreteForces, ArePartOfABody) {
     std::sort(nodes.begin(), nodes.end());
     const DiscreteForces part = body.discreteForces()->restrictedTo(nodes);
     const NodeVectors xPart = x(Eigen::all, nodes);
-    Eigen::MatrixXd partTangent = denseTangent(part, xPart);
+    Eigen::MatrixXd partTangent = denseOf(part, xPart);
     for (const std::int32_t other : body.discreteForces()->partners(nodes))
       EXPECT_TRUE(other == 0 || other == body.nodeCount() - 1 || other == 1 || other == 2);
     EXPECT_EQ(part.nodeCount(), static_cast<std::int32_t>(nodes.size()));

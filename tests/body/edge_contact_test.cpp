@@ -7,7 +7,6 @@
 #include <iterator>
 #include <numbers>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
@@ -15,6 +14,7 @@
 #include <ringwatch/body/discrete_forces.h>
 #include <ringwatch/body/surface_contact.h>
 #include <ringwatch/meshes/surface.h>
+#include <tests/body/discrete_matrices.h>
 #include <tests/support/body_cases.h>
 #include <tests/support/random.h>
 
@@ -23,6 +23,9 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
+using test::denseOf;
+using test::leastEigenvalue;
+using test::majorantOf;
 
 constexpr double degrees = std::numbers::pi / 180;
 
@@ -66,26 +69,6 @@ SurfaceContact edgesOf(const Mesh& mesh, test::Random* random = nullptr, double 
     edge.mass = random ? std::exp(random->uniform(-2, 2)) : 1;
   }
   return contact;
-}
-
-Eigen::MatrixXd denseOf(const DiscreteForces& forces, const NodeVectors& x) {
-  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(x.size(), x.size());
-  forces.forEachBlock(
-      x, [&](std::int32_t i, std::int32_t j, const Matrix3d& block) { K.block<3, 3>(3 * i, 3 * j) += block; });
-  return K;
-}
-
-Eigen::MatrixXd boundOf(const DiscreteForces& forces, const NodeVectors& x, bool room) {
-  std::vector<Matrix3d> majorants;
-  forces.majorants(x, room, majorants);
-  Eigen::MatrixXd bound = Eigen::MatrixXd::Zero(x.size(), x.size());
-  for (std::size_t i = 0; i < majorants.size(); ++i)
-    bound.block<3, 3>(3 * forces.nodes()[i], 3 * forces.nodes()[i]) = majorants[i];
-  return bound;
-}
-
-double leastOf(const Eigen::MatrixXd& matrix) {
-  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix, Eigen::EigenvaluesOnly).eigenvalues()[0];
 }
 
 /// Pairs of edges that touch.
@@ -245,16 +228,16 @@ TEST(EdgeContact, MajorantsHoldAtTheStateAndWithinTheReach) {
     const Vector3d shift(random.uniform(-0.008, 0.008), random.uniform(-0.008, 0.008), 0);
     const NodeVectors x = crossed(mesh, random.uniform(-0.8 * reach, 0.004), shift, turn.toRotationMatrix()) +
                           random.nodeVectors(mesh.X.cols(), 3e-4);
-    EXPECT_GE(leastOf(boundOf(forces, x, false) - denseOf(forces, x)), -1e-10) << seed;
+    EXPECT_GE(leastEigenvalue(majorantOf(forces, x) - denseOf(forces, x)), -1e-10) << seed;
     forces.setReach(reach);
-    const Eigen::MatrixXd bound = boundOf(forces, x, false);
+    const Eigen::MatrixXd bound = majorantOf(forces, x);
     const std::int64_t before = forces.contactState(x).touching;
     touching += before > 0;
     for (int trial = 0; trial < 5; ++trial) {
       NodeVectors moved = x;
       for (Eigen::Index i = 0; i < x.cols(); ++i) moved.col(i) += random.vector(1).normalized() * 0.5 * reach;
       for (const std::int32_t node : mesh.nodeSets.at("upper")) moved(2, node) = x(2, node) - 0.3 * reach;
-      EXPECT_GE(leastOf(bound - denseOf(forces, moved)), -1e-10) << seed;
+      EXPECT_GE(leastEigenvalue(bound - denseOf(forces, moved)), -1e-10) << seed;
       begun += before == 0 && forces.contactState(moved).touching > 0;
       ++states;
     }

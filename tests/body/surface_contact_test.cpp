@@ -17,6 +17,7 @@
 #include <ringwatch/body/surface_contact.h>
 #include <ringwatch/meshes/quality.h>
 #include <ringwatch/meshes/surface.h>
+#include <tests/body/discrete_matrices.h>
 #include <tests/support/body_cases.h>
 #include <tests/support/random.h>
 
@@ -25,6 +26,7 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
+using test::denseOf;
 
 double meshVolumeOf(const Mesh& mesh) {
   // By Gauss, of the surface's triangles.
@@ -92,13 +94,6 @@ SurfaceContact contactOf(const Mesh& mesh, test::Random& random, double friction
   contact.friction = friction;
   contact.slip.speed = 0.3;
   return contact;
-}
-
-Eigen::MatrixXd denseOf(const DiscreteForces& forces, const NodeVectors& x) {
-  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(x.size(), x.size());
-  forces.forEachBlock(
-      x, [&](std::int32_t i, std::int32_t j, const Matrix3d& block) { K.block<3, 3>(3 * i, 3 * j) += block; });
-  return K;
 }
 
 TEST(SurfaceContact, ForcesAreDerivativesOfTheEnergyAndTangentsOfForces) {
@@ -221,7 +216,6 @@ TEST(SurfaceContact, MajorantsOfRandomPairsHold) {
   test::Random random(5);
   std::int64_t pairs = 0;
   std::array<std::int64_t, 3> free{};
-  double closest = 1;
   // Two tetrahedra, the first corner of the one in front of or behind a face of the other.
   Mesh mesh;
   mesh.blocks.push_back({findElementByName("tet4")->type, {0, 1, 2, 3, 4, 5, 6, 7}, {}});
@@ -249,17 +243,7 @@ TEST(SurfaceContact, MajorantsOfRandomPairsHold) {
       const Eigen::MatrixXd K = denseOf(forces, x);
       const auto& touching = forces.surfaces()[0].touching();
       if (touching.empty()) continue;
-      std::vector<Matrix3d> majorants;
-      forces.majorants(x, random.index(2) == 0, majorants);
-      Eigen::MatrixXd bound = Eigen::MatrixXd::Zero(24, 24);
-      for (std::size_t i = 0; i < majorants.size(); ++i) {
-        const std::int32_t node = forces.nodes()[i];
-        bound.block<3, 3>(3 * node, 3 * node) = majorants[i];
-      }
-      const double least =
-          Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(bound - K, Eigen::EigenvaluesOnly).eigenvalues()[0];
-      ASSERT_GE(least, -1e-12 * bound.norm()) << pairs;
-      closest = std::min(closest, least / bound.norm());
+      test::expectAbove(test::majorantOf(forces, x, random.index(2) == 0), K, pairs);
       for (const SurfaceSearch::Touch& touch : touching) ++free[touch.free];
       pairs += static_cast<std::int64_t>(touching.size());
     }
@@ -279,62 +263,20 @@ TEST(SurfaceContact, MajorantsHoldWithinTheReach) {
     constexpr double reach = 6e-4;
     const NodeVectors x = pressed(mesh, random, 0.001);
     forces.setReach(reach);
-    std::vector<Matrix3d> majorants;
-    forces.majorants(x, false, majorants);
+    const Eigen::MatrixXd bound = test::majorantOf(forces, x);
     const std::int64_t before = forces.contactState(x).touching;
-    Eigen::MatrixXd bound = Eigen::MatrixXd::Zero(x.size(), x.size());
-    for (std::size_t i = 0; i < majorants.size(); ++i)
-      bound.block<3, 3>(3 * forces.nodes()[i], 3 * forces.nodes()[i]) = majorants[i];
     for (int trial = 0; trial < 5; ++trial) {
       // No two nodes move by more than the reach against one another.
       NodeVectors moved = x;
       for (Eigen::Index i = 0; i < x.cols(); ++i) moved.col(i) += random.vector(1).normalized() * 0.5 * reach;
       for (const std::int32_t node : mesh.nodeSets.at("upper")) moved(2, node) = x(2, node) - 0.3 * reach;
-      const Eigen::MatrixXd K = denseOf(forces, moved);
-      const double least =
-          Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(bound - K, Eigen::EigenvaluesOnly).eigenvalues()[0];
-      ASSERT_GE(least, -1e-12 * bound.norm()) << seed;
+      test::expectAbove(bound, denseOf(forces, moved), static_cast<std::int64_t>(seed));
       begun += forces.contactState(moved).touching != before;
       ++states;
     }
   }
   EXPECT_EQ(states, 300);
   EXPECT_GT(begun, 100);
-}
-
-// The lists of the hierarchy give what all pairs give, wherever they were made.
-TEST(SurfaceContact, FindsTheSameWhateverWasFoundBefore) {
-  test::Random random(4);
-  const Mesh mesh = twoBoxes("tet4", 0.2, 8);
-  const auto nodes = static_cast<std::int32_t>(mesh.nodeCount());
-  test::Random own(1);
-  const SurfaceContact contact = contactOf(mesh, own);
-  SurfaceSearch kept(contact, nodes);
-  const NodeVectors from = pressed(mesh, random), to = pressed(mesh, random);
-  std::int64_t touches = 0;
-  for (int step = 0; step <= 100; ++step) {
-    const NodeVectors x = from + 0.01 * step * (to - from);
-    kept.locate(x, 1e-4, 1 + step % 3);
-    SurfaceSearch fresh(contact, nodes);
-    fresh.locate(x, 1e-4, 1);
-    ASSERT_EQ(kept.touching().size(), fresh.touching().size()) << step;
-    for (std::size_t i = 0; i < fresh.touching().size(); ++i) {
-      const SurfaceSearch::Touch &a = kept.touching()[i], &b = fresh.touching()[i];
-      EXPECT_EQ(a.entry, b.entry);
-      EXPECT_EQ(a.triangle, b.triangle);
-      EXPECT_EQ(a.r, b.r);
-      EXPECT_EQ(a.b, b.b);
-      ++touches;
-    }
-    ASSERT_EQ(kept.near().size(), fresh.near().size()) << step;
-    for (std::size_t i = 0; i < fresh.near().size(); ++i) {
-      EXPECT_EQ(kept.near()[i].triangle, fresh.near()[i].triangle);
-      EXPECT_EQ(kept.near()[i].weight, fresh.near()[i].weight);
-    }
-  }
-  EXPECT_GT(touches, 300);
-  EXPECT_LT(kept.statistics().lists, 20);
-  EXPECT_EQ(kept.statistics().looks, 101);
 }
 
 /// The square of the distance of a point from a triangle, by the regions of its corners, edges and face (Ericson,

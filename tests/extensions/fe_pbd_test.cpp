@@ -246,25 +246,9 @@ TEST(FePbd, KeepsBothMomentaAndBoundsTheEnergy) {
 }
 
 double errorOf(const char* variant, int passes, double nu = test::poisson) {
-  constexpr double end = 0.05;
-  const auto swing = [&](Integrator& integrator, Body& body, double h) {
-    BodySystem system(body);
-    State state = system.initialState();
-    const auto steps = static_cast<int>(std::ceil(end / h));
-    for (int i = 0; i < steps; ++i) EXPECT_TRUE(integrator.step(system, state, h).done);
-    return state.x;
-  };
-  Body body(test::sliverBar(0.95), makeMaterial("corotational", test::young, nu, test::density),
-            {{}, Lumping::rowSum, 1});
-  for (const std::int32_t n : body.mesh().nodeSets.at("x-min")) body.constraints().fix(n);
-  body.addBodyForce({0, 0, -2});
-  const double critical = criticalStepOf(body), h = end / std::ceil(end / (3 * critical));
-  const auto handler = pbd(body, h, variant, passes, "verlet");
-  EXPECT_FALSE(handler->elements().empty());
-  const NodeVectors x = swing(*handler, body, h);
-  const auto plain = makeIntegrator("verlet");
-  const NodeVectors exact = swing(*plain, body, h / 16);
-  return (x - exact).norm() / (exact - body.mesh().X).norm();
+  const test::Swing swing{.nu = nu};
+  return test::swingError(swing, 0.05, 3 * criticalStepOf(swing.body()),
+                          [&](Body& body, double h) { return pbd(body, h, variant, passes, "verlet"); });
 }
 
 // What three passes leave is implicit Euler's own error; one is softer and damps less.

@@ -174,29 +174,9 @@ TEST(ModalFilter, KeepsBothMomentaAndBoundsTheEnergy) {
 }
 
 double errorOf(const char* variant, double nu, double times) {
-  constexpr double end = 0.05;
-  const auto swing = [&](Integrator& integrator, Body& body, double h) {
-    BodySystem system(body);
-    State state = system.initialState();
-    const auto steps = static_cast<int>(std::ceil(end / h));
-    for (int i = 0; i < steps; ++i) {
-      const StepStatus status = integrator.step(system, state, h);
-      EXPECT_TRUE(status.done) << status.reason;
-      if (!status.done) break;
-    }
-    return state.x;
-  };
-  Body body(test::sliverBar(0.95), makeMaterial("corotational", test::young, nu, test::density),
-            {{}, Lumping::rowSum, 1});
-  for (const std::int32_t n : body.mesh().nodeSets.at("x-min")) body.constraints().fix(n);
-  body.addBodyForce({0, 0, -2});
-  const double h = end / std::ceil(end / (times * criticalStepOf(body)));
-  const auto handler = filtered(body, h, variant, "verlet");
-  EXPECT_FALSE(handler->elements().empty());
-  const NodeVectors x = swing(*handler, body, h);
-  const auto plain = makeIntegrator("verlet");
-  const NodeVectors exact = swing(*plain, body, h / 16);
-  return (x - exact).norm() / (exact - body.mesh().X).norm();
+  const test::Swing swing{.nu = nu};
+  return test::swingError(swing, 0.05, times * criticalStepOf(swing.body()),
+                          [&](Body& body, double h) { return filtered(body, h, variant, "verlet"); });
 }
 
 TEST(ModalFilter, FollowsTheMotion) {

@@ -7,6 +7,7 @@
 
 #include <ringwatch/body/body.h>
 #include <ringwatch/meshes/generators/generators.h>
+#include <tests/support/meshes.h>
 
 /// Meshes, states and bodies of the GPU's tests.
 namespace ringwatch {
@@ -30,12 +31,7 @@ inline NodeVectors randomState(const Mesh& mesh, double noise, unsigned seed) {
 }
 
 inline Mesh bar(const std::string& element, std::array<int, 3> cells, double jitter = 0.15) {
-  BarOptions options;
-  options.element = element;
-  options.cells = cells;
-  options.size = {0.25 * cells[0], 0.25 * cells[1], 0.25 * cells[2]};
-  options.jitter = jitter;
-  return generateBar(options);
+  return test::gridMesh(element, cells, {0.25 * cells[0], 0.25 * cells[1], 0.25 * cells[2]}, jitter);
 }
 
 /// Blocks of all elements.
@@ -46,31 +42,7 @@ inline Mesh mixedBar() {
   return generateMixedBar(options);
 }
 
-/// The first `count` elements of a mesh of one block, without the nodes that they do not have.
-inline Mesh firstElements(const Mesh& mesh, std::size_t count) {
-  Mesh part;
-  const MeshBlock& from = mesh.blocks.front();
-  MeshBlock block{from.type, {}, {}};
-  std::vector<std::int32_t> number(mesh.nodeCount(), -1), nodes;
-  for (std::size_t e = 0; e < count; ++e) {
-    block.ids.push_back(e);
-    for (int a = 0; a < from.nodesPerElement(); ++a) {
-      const std::int32_t node = from.element(e)[a];
-      if (number[node] < 0) {
-        number[node] = static_cast<std::int32_t>(nodes.size());
-        nodes.push_back(node);
-      }
-      block.connectivity.push_back(number[node]);
-    }
-  }
-  part.X.resize(3, nodes.size());
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    part.X.col(i) = mesh.X.col(nodes[i]);
-    part.nodeIds.push_back(i);
-  }
-  part.blocks.push_back(std::move(block));
-  return part;
-}
+using test::firstElements;
 
 inline double relative(const NodeVectors& a, const NodeVectors& b) { return (a - b).norm() / b.norm(); }
 inline bool sameBits(const NodeVectors& a, const NodeVectors& b) { return (a.array() == b.array()).all(); }

@@ -1,8 +1,11 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <compare>
+#include <map>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <ringwatch/base/eigen_instances.h>
@@ -33,8 +36,9 @@ inline Mesh sliverBar(double flatness = 0.95) {
   mesh.X(0, node(5, 1, 1)) += flatness * (mesh.X(0, node(6, 1, 1)) - mesh.X(0, node(5, 1, 1)));
   return mesh;
 }
-inline Body sliverBody(std::string_view law = "stvk", double flatness = 0.95, bool clamped = true) {
-  Body body(sliverBar(flatness), makeMaterial(law, young, poisson, density), {{}, Lumping::rowSum, 1});
+inline Body sliverBody(std::string_view law = "stvk", double flatness = 0.95, bool clamped = true,
+                       double nu = poisson) {
+  Body body(sliverBar(flatness), makeMaterial(law, young, nu, density), {{}, Lumping::rowSum, 1});
   if (clamped)
     for (const std::int32_t n : body.mesh().nodeSets.at("x-min")) body.constraints().fix(n);
   return body;
@@ -67,6 +71,47 @@ inline std::vector<ElementRef> everyElement(const Body& body) {
 }
 
 inline double criticalStepOf(const Body& body) { return 2 / std::sqrt(denseHighest(body, body.mesh().X)); }
+
+/// Positions after steps of h (s) from rest, m.
+inline NodeVectors positionsAfter(Integrator& integrator, const Body& body, double h, int steps) {
+  BodySystem system(body);
+  State state = system.initialState();
+  for (int i = 0; i < steps; ++i) {
+    const StepStatus status = integrator.step(system, state, h);
+    EXPECT_TRUE(status.done) << status.reason;
+    if (!status.done) break;
+  }
+  return state.x;
+}
+
+/// A clamped bar of slivers that swings under its weight.
+struct Swing {
+  std::string law = "corotational";
+  double nu = poisson, flatness = 0.95;
+  auto operator<=>(const Swing&) const = default;
+  Body body() const {
+    Body made = sliverBody(law, flatness, true, nu);
+    made.addBodyForce({0, 0, -2});
+    return made;
+  }
+};
+/// Error of the positions after `end` (s) by the handler that makeHandler(body, h) makes, in steps of about h (s),
+/// against Verlet at a tenth of the critical step, over the displacement.
+template <class MakeHandler>
+double swingError(const Swing& swing, double end, double h, const MakeHandler& makeHandler) {
+  Body body = swing.body();
+  static std::map<std::pair<Swing, double>, NodeVectors> references;
+  NodeVectors& reference = references[{swing, end}];
+  if (reference.size() == 0) {
+    const auto verlet = makeIntegrator("verlet");
+    const auto steps = static_cast<int>(std::ceil(end / (0.1 * criticalStepOf(body))));
+    reference = positionsAfter(*verlet, body, end / steps, steps);
+  }
+  const auto steps = static_cast<int>(std::lround(end / h));
+  const auto handler = makeHandler(body, end / steps);
+  EXPECT_FALSE(handler->elements().empty());
+  return (positionsAfter(*handler, body, end / steps, steps) - reference).norm() / (reference - body.mesh().X).norm();
+}
 
 /// Of the amplification matrix of a step about rest, column by column from the integrator's own steps; unit: m.
 inline double spectralRadius(const Body& body, Integrator& integrator, double h, double unit) {

@@ -119,34 +119,14 @@ TEST_P(ImexStability, NoModeGrowsAtManyTimesTheCriticalStep) {
   EXPECT_GT(test::spectralRadius(body, *plain, h, 1e-3), 2);  // so the test can fail
 }
 
-// Positions after a swing, against plain explicit at a tiny step.
 double errorOf(std::string_view law, double alpha, double h, std::string_view base, bool keepAll = true) {
-  constexpr double end = 0.08;
-  const auto body = [&] {
-    Body b = test::sliverBody(law, 0.95);
-    b.addBodyForce({0, 0, -2});
-    return b;
-  };
-  static std::map<std::string, NodeVectors> references;
-  NodeVectors& reference = references[std::string(law)];
-  Body own = body();
-  BodySystem system(own);
-  if (reference.size() == 0) {
-    State state = system.initialState();
-    const auto verlet = makeIntegrator("verlet");
-    const auto steps = static_cast<int>(std::ceil(end / (0.1 * criticalStepOf(own))));
-    for (int i = 0; i < steps; ++i) verlet->step(system, state, end / steps);
-    reference = state.x;
-  }
-  const int steps = static_cast<int>(std::lround(end / h));
-  const auto handler = makeHandler("imex", own, makeIntegrator(base), withDissipation(alpha));
-  // The elements of the largest step stay handled at all others, so that one scheme is compared with itself.
-  if (keepAll) handler->prepare(own.mesh().X, 4 * criticalStepOf(own));
-  handler->prepare(own.mesh().X, end / steps);
-  EXPECT_FALSE(handler->elements().empty());
-  State state = system.initialState();
-  for (int i = 0; i < steps; ++i) EXPECT_TRUE(handler->step(system, state, end / steps).done);
-  return (state.x - reference).norm() / (reference - own.mesh().X).norm();
+  return test::swingError({.law = std::string(law)}, 0.08, h, [&](Body& body, double step) {
+    auto handler = makeHandler("imex", body, makeIntegrator(base), withDissipation(alpha));
+    // The elements of the largest step stay handled at all others, so that one scheme is compared with itself.
+    if (keepAll) handler->prepare(body.mesh().X, 4 * criticalStepOf(body));
+    handler->prepare(body.mesh().X, step);
+    return handler;
+  });
 }
 
 TEST(Imex, ConvergesWithSecondOrderWithoutDissipation) {

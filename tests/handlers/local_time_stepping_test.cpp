@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <map>
 
 #include <Eigen/Geometry>
 
@@ -180,40 +179,15 @@ TEST(LocalTimeStepping, LetsNoModeGrowAtManyTimesTheCriticalStep) {
       }
 }
 
-// Positions after a swing, relative to plain explicit at a tiny step.
-double errorOf(std::string_view law, double h, const HandlerOptions& options, std::string_view base = "verlet",
-               double nu = test::poisson, double flatness = 0.95) {
-  constexpr double end = 0.08;
-  Body own(test::sliverBar(flatness), makeMaterial(law, test::young, nu, test::density), {{}, Lumping::rowSum, 1});
-  for (const std::int32_t n : own.mesh().nodeSets.at("x-min")) own.constraints().fix(n);
-  own.addBodyForce({0, 0, -2});
-  static std::map<std::tuple<std::string, double, double>, NodeVectors> references;
-  NodeVectors& reference = references[{std::string(law), nu, flatness}];
-  BodySystem system(own);
-  if (reference.size() == 0) {
-    State state = system.initialState();
-    const auto verlet = makeIntegrator("verlet");
-    const auto steps = static_cast<int>(std::ceil(end / (0.1 * criticalStepOf(own))));
-    for (int i = 0; i < steps; ++i) verlet->step(system, state, end / steps);
-    reference = state.x;
-  }
-  const int steps = static_cast<int>(std::lround(end / h));
-  LocalTimeStepping handler(own, makeIntegrator(base), options);
-  handler.prepare(own.mesh().X, end / steps);
-  EXPECT_FALSE(handler.elements().empty());
-  State state = system.initialState();
-  for (int i = 0; i < steps; ++i) EXPECT_TRUE(handler.step(system, state, end / steps).done);
-  return (state.x - reference).norm() / (reference - own.mesh().X).norm();
+double errorOf(std::string_view law, double h, const HandlerOptions& options, double nu = test::poisson) {
+  return test::swingError({.law = std::string(law), .nu = nu}, 0.08, h,
+                          [&](Body& body, double step) { return localTimeStepping(body, step, options, "verlet"); });
 }
 
 TEST(LocalTimeStepping, ConvergesWithSecondOrderWithoutDissipation) {
   for (const char* law : {"linear", "corotational", "stvk"}) {
-    constexpr double flatness = 0.95;
-    const double h = 0.08 / std::round(0.08 / (4.5 * criticalStepOf(test::sliverBody(law, flatness))));
-    const auto error = [&](double step) {
-      return errorOf(law, step, localOptions(0), "verlet", test::poisson, flatness);
-    };
-    const double coarse = error(h), fine = error(h / 2);
+    const double h = 0.08 / std::round(0.08 / (4.5 * criticalStepOf(test::sliverBody(law))));
+    const double coarse = errorOf(law, h, localOptions(0)), fine = errorOf(law, h / 2, localOptions(0));
     EXPECT_GT(coarse / fine, 3) << law << " " << coarse << " " << fine;
     // Above 4: twice the step has more of its elements in finer levels, thus another error constant.
     EXPECT_LT(coarse / fine, 8) << law << " " << coarse << " " << fine;
@@ -236,7 +210,7 @@ TEST(LocalTimeStepping, FollowsTheMotionAtFourTimesTheCriticalStep) {
 TEST(LocalTimeStepping, FollowsTheMotionOfANearlyIncompressibleBody) {
   Body body(test::sliverBar(0.95), makeMaterial("corotational", test::young, 0.499, test::density));
   const double h = 3 * criticalStepOf(body);
-  EXPECT_LT(errorOf("corotational", h, localOptions(0.1), "verlet", 0.499), 5e-3);
+  EXPECT_LT(errorOf("corotational", h, localOptions(0.1), 0.499), 5e-3);
 }
 
 TEST(LocalTimeStepping, KeepsEnergyBoundedAndMomentumOverManySteps) {

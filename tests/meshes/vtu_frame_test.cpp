@@ -1,8 +1,5 @@
 // Frames with their fields: what writeVtu writes comes back, and fields follow their elements.
-#include <cstdlib>
-#include <filesystem>
 #include <fstream>
-#include <stdexcept>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,19 +7,14 @@
 #include <ringwatch/base/error.h>
 #include <ringwatch/meshes/formats/vtu_frame.h>
 #include <ringwatch/meshes/formats/vtu_writer.h>
+#include <tests/support/temporary_folder.h>
 
 namespace ringwatch {
 namespace {
 
 class VtuFrameFile : public ::testing::Test {
  protected:
-  VtuFrameFile() {
-    std::string name = (std::filesystem::temp_directory_path() / "ringwatch-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make a temporary folder");
-    folder_ = name;
-  }
-  ~VtuFrameFile() override { std::filesystem::remove_all(folder_); }
-  std::filesystem::path folder_;
+  test::TemporaryFolder folder_;
 };
 
 #ifdef RINGWATCH_WITH_VTK

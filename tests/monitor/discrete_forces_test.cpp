@@ -2,19 +2,12 @@
 // contact that comes and goes, and a bar against a penalty spring in closed form.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numeric>
 
-#include <ringwatch/base/infinity.h>
-#include <ringwatch/body/discrete_forces.h>
-#include <ringwatch/monitor/bounds/exchange_bound.h>
-#include <ringwatch/monitor/bounds/factored_certificate.h>
-#include <ringwatch/monitor/bounds/global_frequency.h>
 #include <ringwatch/monitor/bounds/reduced_ring.h>
-#include <ringwatch/monitor/critical_step.h>
-#include <ringwatch/monitor/incremental/run_bracket.h>
 #include <ringwatch/monitor/stability_monitor.h>
+#include <tests/monitor/bracket_checks.h>
 #include <tests/monitor/discrete_cases.h>
 
 namespace ringwatch {
@@ -23,10 +16,10 @@ namespace {
 using test::addForces;
 using test::cellStiffness;
 using test::DenseTangent;
+using test::exact;
 using test::Hold;
+using test::stepOf;
 using test::Subdivision;
-
-constexpr double exact = 1e-9;
 
 class DiscreteBoundsTest : public ::testing::TestWithParam<Subdivision> {};
 INSTANTIATE_TEST_SUITE_P(Subdivisions, DiscreteBoundsTest, ::testing::ValuesIn(test::allSubdivisions()),
@@ -48,9 +41,7 @@ TEST_P(DiscreteBoundsTest, HoldFromScratch) {
           if (!(largest > 0)) continue;
           const std::string what = joinText(law.name, ", ", test::holdName(hold), ", ", share, ", ", state.name);
           const CriticalStep step = criticalStep(body, state.x, 2.0);
-          const double h = 2 / std::sqrt(largest);
-          ASSERT_LE(step.safe, h * (1 + exact)) << what;
-          ASSERT_GE(step.optimistic, h * (1 - exact)) << what;
+          test::expectHolds(step, largest, what);
           if (step.lowestRing < 0) {
             ASSERT_GE(step.lowestRing, least - exact * largest) << what;
           }
@@ -70,17 +61,7 @@ TEST_P(DiscreteBoundsTest, HoldWithExchangeAndFactorisation) {
   addForces(body, cellStiffness, 9);
   const NodeVectors x = test::strained(body.mesh().X, 5, 0.05);
   const double largest = DenseTangent(body, x).largest();
-  NodalBound weights(body);
-  ASSERT_GE(weights.evaluate(x, 8).value, largest * (1 - exact));
-  const ExchangeBound exchange = exchangeUpperBound(body, x, weights, 1.01 * largest, 1.01 * largest, 40);
-  ASSERT_GE(exchange.upper.value, largest * (1 - exact));
-  EXPECT_LT(exchange.upper.value, 1.2 * largest);
-  FactoredCertificate factored(body, x);
-  EXPECT_TRUE(factored.certifies(largest * (1 + 1e-7)));
-  EXPECT_FALSE(factored.certifies(largest * (1 - 1e-7)));
-  const GlobalFrequency global = globalFrequency(body, x);
-  ASSERT_TRUE(global.converged);
-  EXPECT_NEAR(global.lambda, largest, 1e-8 * largest);
+  EXPECT_LT(test::expectProofsHold(body, x, largest, ""), 1.2 * largest);
 }
 
 /// A body that bounces, turns and strains, so that contact of single nodes comes and goes from state to state.
@@ -95,42 +76,20 @@ NodeVectors pathState(const NodeVectors& X, int step, const NodeVectors& shake) 
 }
 
 TEST_P(DiscreteBoundsTest, HoldAlongRunsWithTogglingContact) {
-  std::int64_t states = 0, toggled = 0;
+  test::ContactRuns runs;
   for (const LawInfo& law : allLaws())
     for (const Hold hold : {Hold::nothing, Hold::components})
       for (const double share : {0.3, 3.0}) {
         Body body = test::boxBody(GetParam(), law.name);
         test::holdBody(body, hold);
         addForces(body, share * cellStiffness, 70 + static_cast<std::uint64_t>(10 * share));
-        const NodeVectors& X = body.mesh().X;
-        const NodeVectors shake = test::Random(12).nodeVectors(X.cols(), 0.06 * test::cellSize);
-        RunBracket bracket(body, 0.05, infinity);
-        IncrementalNodalBound threshold(body);
-        std::int64_t touching = -1;
-        for (int step = 0; step < 40; ++step) {
-          const NodeVectors x = pathState(X, step, shake);
-          body.discreteForces()->setReach(step % 3 == 0 ? 0.05 * test::cellSize : 0);
-          const DenseTangent dense(body, x);
-          ASSERT_TRUE(dense.finite());
-          const double lambda = dense.largest(), h = 2 / std::sqrt(lambda);
-          const std::string what = joinText(law.name, ", ", test::holdName(hold), ", ", share, ", step ", step);
-          const auto& found = bracket.evaluate(x, 2.0, std::nullopt, nullptr);
-          ASSERT_TRUE(found.has_value()) << what;
-          ASSERT_LE(found->safe, h * (1 + exact)) << what;
-          ASSERT_GE(found->optimistic, h * (1 - exact)) << what;
-          // Threshold mode: proofs of an eigenvalue that is just too low are refused, of higher ones they hold.
-          EXPECT_FALSE(threshold.certify(x, lambda * (1 - 1e-6))) << what;
-          if (threshold.certify(x, 1.3 * lambda)) {
-            EXPECT_LE(threshold.verify(x), exact) << what;
-          }
-          const std::int64_t now = body.discreteForces()->contactState(x).touching;
-          toggled += now != touching;
-          touching = now;
-          ++states;
-        }
+        const NodeVectors shake = test::Random(12).nodeVectors(body.nodeCount(), 0.06 * test::cellSize);
+        test::expectHoldsWhileContactToggles(
+            body, 40, 0.05 * test::cellSize, 1.3, [&](int step) { return pathState(body.mesh().X, step, shake); },
+            joinText(law.name, ", ", test::holdName(hold), ", ", share), runs);
       }
-  EXPECT_EQ(states, 40 * 4 * static_cast<std::int64_t>(allLaws().size()));
-  EXPECT_GT(toggled, states / 6);
+  EXPECT_EQ(runs.states, 40 * 4 * static_cast<std::int64_t>(allLaws().size()));
+  EXPECT_GT(runs.toggled, runs.states / 6);
 }
 
 TEST_P(DiscreteBoundsTest, TheCertificateItselfHoldsAtEveryState) {
@@ -147,13 +106,9 @@ TEST_P(DiscreteBoundsTest, TheCertificateItselfHoldsAtEveryState) {
         account.earn();
         const NodeVectors x = pathState(X, step, shake);
         const double lambda = DenseTangent(body, x).largest();
-        ASSERT_GE(bound.update(x).value, lambda * (1 - exact)) << share << budget << step;
-        EXPECT_LE(bound.verify(x), exact) << share << budget << step;
-        bound.relaxBound(LowerBound{lambda}, 0.05);
-        if (bound.tightenBound(x, LowerBound{lambda}, 0.05)) {
-          ASSERT_GE(bound.update(x).value, lambda * (1 - exact)) << share << budget << step;
-          EXPECT_LE(bound.verify(x), exact) << share << budget << step;
-        }
+        const std::string what = joinText(share, ", ", budget, ", step ", step);
+        test::expectProves(bound, x, lambda, what);
+        test::expectProvesTightened(bound, x, lambda, what);
         ++states;
       }
     }
@@ -216,9 +171,8 @@ TEST(DiscreteForcesInClosedForm, BarAgainstAPenaltySpring) {
       ASSERT_TRUE(global.converged);
       EXPECT_NEAR(global.lambda, bar.expected(k), 1e-8 * bar.expected(k)) << ratio << contact;
       const CriticalStep step = criticalStep(bar.body, X, 2.0);
-      const double h = 2 / std::sqrt(bar.expected(k));
-      EXPECT_LE(step.safe, h * (1 + exact));
-      EXPECT_GE(step.optimistic, h * (1 - exact));
+      const double h = stepOf(bar.expected(k));
+      test::expectHolds(step, bar.expected(k), "");
       EXPECT_GE(step.safe, 0.94 * h);
       EXPECT_LE(step.optimistic, 1.01 * h);
       // A quarter of the energy at the end, of one half mass, grows to nearly all of it.
@@ -244,11 +198,7 @@ TEST(DiscreteForcesInClosedForm, LocalModesHoldTheOtherEndsOfSprings) {
   RunBracket bracket(body, 0.05, infinity);
   for (int step = 0; step < 5; ++step) {
     const NodeVectors x = Eigen::Vector3d(1 + 0.001 * step, 1, 1).asDiagonal() * X;
-    const double h = 2 / std::sqrt(DenseTangent(body, x).largest());
-    const auto& found = bracket.evaluate(x, 2.0, std::nullopt, nullptr);
-    ASSERT_TRUE(found.has_value());
-    EXPECT_LE(found->safe, h * (1 + exact));
-    EXPECT_GE(found->optimistic, h * (1 - exact));
+    test::expectHolds(bracket, x, DenseTangent(body, x).largest(), "");
   }
   EXPECT_GT(lambda, 0);
 }
@@ -270,7 +220,7 @@ TEST(DiscreteForces, ContactThatBeginsIsNamedAtOnce) {
     contact.damping.assign(body.nodeCount(), 0);
     forces.add(std::move(contact));
     body.setDiscreteForces(std::move(forces));
-    const double h = 0.8 * 2 / std::sqrt(DenseTangent(body, X).largest());  // certified along a run
+    const double h = 0.8 * stepOf(DenseTangent(body, X).largest());  // certified along a run
     const NodeVectors v = NodeVectors::Zero(3, X.cols());
     for (const double budget : {infinity, 0.1}) {
       StabilityMonitor monitor(body, {.budget = budget, .workInAdvance = 0});
@@ -281,7 +231,7 @@ TEST(DiscreteForces, ContactThatBeginsIsNamedAtOnce) {
           EXPECT_EQ(report.verdict, Verdict::certified) << subdivision.name << step;
           continue;
         }
-        const double critical = 2 / std::sqrt(DenseTangent(body, x).largest());
+        const double critical = stepOf(DenseTangent(body, x).largest());
         ASSERT_LT(critical, 0.9 * h) << subdivision.name;
         EXPECT_EQ(report.verdict, Verdict::violated) << subdivision.name;
         ASSERT_TRUE(report.bracket.has_value());
@@ -296,27 +246,16 @@ TEST(DiscreteForces, ContactThatBeginsIsNamedAtOnce) {
 }
 
 TEST(DiscreteForces, SameBitsForAnyNumberOfThreads) {
-  std::vector<double> safe, optimistic;
-  for (const int threads : {1, 2, 4}) {
-    Body body = test::boxBody(test::allSubdivisions()[0], "stvk", {6, 4, 4}, 0.2, 3, threads);
-    addForces(body, cellStiffness, 5);
-    const NodeVectors shake = test::Random(12).nodeVectors(body.nodeCount(), 0.06 * test::cellSize);
-    RunBracket bracket(body, 0.05, infinity);
-    std::size_t at = 0;
-    for (int step = 0; step < 12; ++step) {
-      const auto& found = bracket.evaluate(pathState(body.mesh().X, step, shake), 2.0, std::nullopt, nullptr);
-      ASSERT_TRUE(found.has_value());
-      if (threads == 1) {
-        safe.push_back(found->safe);
-        optimistic.push_back(found->optimistic);
-      } else {
-        EXPECT_EQ(found->safe, safe[at]);
-        EXPECT_EQ(found->optimistic, optimistic[at]);
-      }
-      ++at;
-    }
-  }
-  EXPECT_EQ(safe.size(), 12U);
+  test::expectSameBitsForAnyThreads(
+      [](int threads) {
+        Body body = test::boxBody(test::allSubdivisions()[0], "stvk", {6, 4, 4}, 0.2, 3, threads);
+        addForces(body, cellStiffness, 5);
+        return body;
+      },
+      [shake = NodeVectors()](const Body& body, int step) mutable {
+        if (step == 0) shake = test::Random(12).nodeVectors(body.nodeCount(), 0.06 * test::cellSize);
+        return pathState(body.mesh().X, step, shake);
+      });
 }
 
 }  // namespace

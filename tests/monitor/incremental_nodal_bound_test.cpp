@@ -47,14 +47,9 @@ TEST_P(IncrementalNodalBoundTest, HoldsAtEveryStateOfAPath) {
         const double lambda = dense.largest();
         const std::string what = joinText(law.name, ", ", test::holdName(hold), ", step ", step);
         StepEvaluation evaluation;
-        NodeVectors expected;
         const bool withForce = step % 4 > 1;
         ASSERT_GE(bound.update(x, withForce ? &evaluation : nullptr).value, lambda * (1 - 1e-9)) << what;
-        if (withForce) {
-          Body::Workspace workspace;
-          body.internalForce(x, expected, workspace);
-          EXPECT_TRUE(evaluation.internalForce == expected) << what;
-        }
+        if (withForce) test::expectForce(body, x, evaluation, what);
         EXPECT_LE(bound.verify(x), 1e-9) << what;
         evaluated += bound.statistics().evaluated;
         // The same state again gives the same bound.

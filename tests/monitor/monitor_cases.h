@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Geometry>
+
 #include <ringwatch/base/error.h>
 #include <ringwatch/body/body.h>
 #include <ringwatch/meshes/generators/generators.h>
@@ -128,6 +130,24 @@ inline std::vector<NamedState> deformedStates(const NodeVectors& X, std::uint64_
     states.push_back({joinText("moved by ", share, " of an edge"), X + random.nodeVectors(X.cols(), share * cellSize)});
   states.push_back({"turned and strained", random.rotation() * (Eigen::Matrix3d::Identity() + random.matrix(0.2)) * X});
   return states;
+}
+
+/// A path of states: a turn about a skew axis by `turned` (rad, at its end), a stretch and back, and a shake of single
+/// nodes; `at` in [0, 1].
+inline NodeVectors pathState(const NodeVectors& X, double at, double turned, const NodeVectors& shake) {
+  const double stretch = at < 0.6 ? 1 + 0.5 * at : at < 0.8 ? 1.3 - 1.5 * (at - 0.6) : 1;
+  const Eigen::AngleAxisd turn(turned * at, Eigen::Vector3d(1, 2, 3).normalized());
+  return turn.toRotationMatrix() * (Eigen::Vector3d(stretch, 1 - 0.2 * at, 1).asDiagonal() * X) +
+         std::sin(20 * at) * shake;
+}
+
+/// The force that came with a bound is the body's own, to the last bit.
+inline void expectForce(const Body& body, const NodeVectors& x, const StepEvaluation& evaluation,
+                        const std::string& what) {
+  NodeVectors expected;
+  Body::Workspace workspace;
+  body.internalForce(x, expected, workspace);
+  EXPECT_TRUE(evaluation.internalForce == expected) << what;
 }
 
 /// Ways to hold a body: nothing, a face, single components here and there.

@@ -23,14 +23,6 @@ class MovedBoundTest : public ::testing::TestWithParam<Subdivision> {};
 INSTANTIATE_TEST_SUITE_P(Subdivisions, MovedBoundTest, ::testing::ValuesIn(test::allSubdivisions()),
                          [](const auto& test) { return test::testName(test.param.name); });
 
-/// A turn about a skew axis, a stretch and back, and a shake of single nodes; `at` in [0, 1].
-NodeVectors pathState(const NodeVectors& X, double at, const NodeVectors& shake) {
-  const double stretch = at < 0.6 ? 1 + 0.5 * at : at < 0.8 ? 1.3 - 1.5 * (at - 0.6) : 1;
-  const Eigen::AngleAxisd turn(2 * at, Eigen::Vector3d(1, 2, 3).normalized());
-  return turn.toRotationMatrix() * (Eigen::Vector3d(stretch, 1 - 0.2 * at, 1).asDiagonal() * X) +
-         std::sin(20 * at) * shake;
-}
-
 TEST_P(MovedBoundTest, HoldsAtEveryStateOfAPath) {
   for (const LawInfo& law : allLaws())
     for (const Hold hold : {Hold::nothing, Hold::face, Hold::components}) {
@@ -43,7 +35,7 @@ TEST_P(MovedBoundTest, HoldsAtEveryStateOfAPath) {
       constexpr int steps = 40;
       std::int64_t visited = 0;
       for (int step = 0; step <= steps; ++step) {
-        const NodeVectors x = pathState(X, static_cast<double>(step) / steps, shake);
+        const NodeVectors x = test::pathState(X, static_cast<double>(step) / steps, 2, shake);
         const DenseTangent dense(body, x);
         ASSERT_TRUE(dense.finite());
         const double lambda = dense.largest();
@@ -51,12 +43,7 @@ TEST_P(MovedBoundTest, HoldsAtEveryStateOfAPath) {
         StepEvaluation evaluation;
         const bool withForce = step % 4 > 1;
         ASSERT_GE(bound.update(x, withForce ? &evaluation : nullptr).value, lambda * (1 - rounding)) << what;
-        if (withForce) {
-          NodeVectors expected;
-          Body::Workspace workspace;
-          body.internalForce(x, expected, workspace);
-          EXPECT_TRUE(evaluation.internalForce == expected) << what;
-        }
+        if (withForce) test::expectForce(body, x, evaluation, what);
         if (step > 0) {
           EXPECT_LE(bound.verify(x), rounding) << what;
         }
@@ -176,7 +163,7 @@ TEST(MovedBound, DoesNotDependOnThreads) {
     MovedBound bound(body);
     std::vector<double> values;
     for (int step = 0; step <= 20; ++step) {
-      const NodeVectors x = pathState(X, 0.05 * step, shake);
+      const NodeVectors x = test::pathState(X, 0.05 * step, 2, shake);
       values.push_back(bound.update(x).value);
       values.push_back(bound.improve(x, 0, 200).value);
     }

@@ -35,14 +35,6 @@ RestBound boundAtRest(const Body& body, const RestBoundPolicy& policy = {}) {
   return bound;
 }
 
-/// A turn about a skew axis, a stretch and back, and a shake of single nodes; `at` in [0, 1].
-NodeVectors pathState(const NodeVectors& X, double at, double turned, const NodeVectors& shake) {
-  const double stretch = at < 0.6 ? 1 + 0.5 * at : at < 0.8 ? 1.3 - 1.5 * (at - 0.6) : 1;
-  const Eigen::AngleAxisd turn(turned * at, Eigen::Vector3d(1, 2, 3).normalized());
-  return turn.toRotationMatrix() * (Eigen::Vector3d(stretch, 1 - 0.2 * at, 1).asDiagonal() * X) +
-         std::sin(20 * at) * shake;
-}
-
 TEST_P(RestBoundTest, HoldsAtEveryStateOfAPath) {
   std::int64_t bounded = 0;
   for (const LawInfo& law : allLaws())
@@ -58,7 +50,7 @@ TEST_P(RestBoundTest, HoldsAtEveryStateOfAPath) {
         RestBound bound = boundAtRest(body, {.gradientsOfGroup = 1, .groupsOfRegion = 2, .turns = 3});
         constexpr int steps = 40;
         for (int step = 0; step <= steps; ++step) {
-          const NodeVectors x = pathState(X, static_cast<double>(step) / steps, size > 0.01 ? 2 : 0.3, shake);
+          const NodeVectors x = test::pathState(X, static_cast<double>(step) / steps, size > 0.01 ? 2 : 0.3, shake);
           const DenseTangent dense(body, x);
           const std::string what =
               joinText(law.name, ", ", test::holdName(hold), ", ", size, touched ? ", touched" : "", ", step ", step);
@@ -69,12 +61,7 @@ TEST_P(RestBoundTest, HoldsAtEveryStateOfAPath) {
           const double value = bound.update(x, withForce ? &evaluation : nullptr, 0, most).value;
           ASSERT_GE(value, dense.largest() * (1 - rounding)) << what;
           bounded += value < infinity;
-          if (withForce) {
-            NodeVectors expected;
-            Body::Workspace workspace;
-            body.internalForce(x, expected, workspace);
-            EXPECT_TRUE(evaluation.internalForce == expected) << what;
-          }
+          if (withForce) test::expectForce(body, x, evaluation, what);
         }
       }
   EXPECT_GT(bounded, 0);
@@ -113,7 +100,7 @@ TEST_P(RestBoundTest, HasAMajorantOfTheTangentAtEveryState) {
       RestBound bound = boundAtRest(body, {.gradientsOfGroup = 1, .turns = 3, .same = 0});
       constexpr int steps = 60, statesOfReference = 15;
       for (int step = 0; step <= steps; ++step) {
-        const NodeVectors x = pathState(X, static_cast<double>(step) / steps, 2, shake);
+        const NodeVectors x = test::pathState(X, static_cast<double>(step) / steps, 2, shake);
         const double value =
             bound.update(x, nullptr, 0, step % statesOfReference == 0 ? body.mesh().elementCount() : 0).value;
         Eigen::MatrixXd excess = DenseTangent(body, x).matrix;
@@ -145,7 +132,7 @@ TEST_P(RestBoundTest, MovesRegionsNoLowerThanTheirNodes) {
     byRegions.update(X, nullptr, 0, 0);
     byNodes.update(X, nullptr, 0, 0);
     for (int step = 1; step <= 30; ++step) {
-      const NodeVectors x = pathState(X, 0.02 * step, 1, shake);
+      const NodeVectors x = test::pathState(X, 0.02 * step, 1, shake);
       const double byThese = byNodes.update(x, nullptr, 0, 0).value;
       if (byNodes.statistics().elements > 0) break;  // from here on they have other references
       EXPECT_GE(byRegions.update(x, nullptr, infinity, 0).value, byThese * (1 - ofSingles)) << law.name << ", " << step;
@@ -235,7 +222,7 @@ TEST(RestBound, DoesNotDependOnThreadsAndGoesOnFromWhatIsSaved) {
         LoadingArchive loading(saved);
         bound->archive(loading);
       }
-      bounds[run].push_back(bound->update(pathState(X, 0.05 * step, 0.5, shake), nullptr, 0, 8).value);
+      bounds[run].push_back(bound->update(test::pathState(X, 0.05 * step, 0.5, shake), nullptr, 0, 8).value);
     }
   }
   EXPECT_EQ(bounds[0], bounds[1]);

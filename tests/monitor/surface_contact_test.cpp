@@ -2,27 +2,19 @@
 // bodies meet, slide and part, and two cubes against one another in closed form.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 
-#include <ringwatch/base/infinity.h>
-#include <ringwatch/body/discrete_forces.h>
 #include <ringwatch/meshes/surface.h>
-#include <ringwatch/monitor/bounds/exchange_bound.h>
-#include <ringwatch/monitor/bounds/factored_certificate.h>
-#include <ringwatch/monitor/bounds/global_frequency.h>
 #include <ringwatch/monitor/bounds/reduced_ring.h>
-#include <ringwatch/monitor/critical_step.h>
-#include <ringwatch/monitor/incremental/run_bracket.h>
-#include <ringwatch/monitor/stability_monitor.h>
-#include <tests/monitor/monitor_cases.h>
+#include <tests/monitor/bracket_checks.h>
 
 namespace ringwatch {
 namespace {
 
 using test::DenseTangent;
+using test::exact;
+using test::stepOf;
 
-constexpr double tight = 1e-9;
 /// Of the order of a cell's own stiffness, N/m.
 constexpr double stiffnessOfACell = test::young * test::cellSize;
 
@@ -77,27 +69,17 @@ TEST(SurfaceContactBounds, HoldFromScratch) {
         const NodeVectors x = meeting(body, 10 + static_cast<int>(seed), shake);
         ASSERT_GT(body.discreteForces()->contactState(x).touching, 0);
         const Eigen::VectorXd lambda = DenseTangent(body, x).eigenvalues();
-        const double largest = lambda[lambda.size() - 1], h = 2 / std::sqrt(largest);
+        const double largest = lambda[lambda.size() - 1];
         const std::string what = joinText(element, ", ", share, ", ", seed);
         const CriticalStep step = criticalStep(body, x, 2.0);
-        ASSERT_LE(step.safe, h * (1 + tight)) << what;
-        ASSERT_GE(step.optimistic, h * (1 - tight)) << what;
-        EXPECT_LE(step.optimistic, 1.1 * h) << what;
+        test::expectHolds(step, largest, what);
+        EXPECT_LE(step.optimistic, 1.1 * stepOf(largest)) << what;
         if (step.lowestRing < 0) {
-          ASSERT_GE(step.lowestRing, lambda[0] - tight * largest) << what;
+          ASSERT_GE(step.lowestRing, lambda[0] - exact * largest) << what;
         }
         ReducedRing ring(body);
-        ASSERT_LE(ring.evaluate(x).highest, largest * (1 + tight)) << what;
-        NodalBound weights(body);
-        ASSERT_GE(weights.evaluate(x, 8).value, largest * (1 - tight)) << what;
-        const ExchangeBound exchange = exchangeUpperBound(body, x, weights, 1.01 * largest, 1.01 * largest, 40);
-        ASSERT_GE(exchange.upper.value, largest * (1 - tight)) << what;
-        FactoredCertificate factored(body, x);
-        EXPECT_TRUE(factored.certifies(largest * (1 + 1e-7))) << what;
-        EXPECT_FALSE(factored.certifies(largest * (1 - 1e-7))) << what;
-        const GlobalFrequency global = globalFrequency(body, x);
-        ASSERT_TRUE(global.converged) << what;
-        EXPECT_NEAR(global.lambda, largest, 1e-8 * largest) << what;
+        ASSERT_LE(ring.evaluate(x).highest, largest * (1 + exact)) << what;
+        test::expectProofsHold(body, x, largest, what);
         governed += step.discreteShare > 0.5;
         ++brackets;
       }
@@ -106,38 +88,18 @@ TEST(SurfaceContactBounds, HoldFromScratch) {
 }
 
 TEST(SurfaceContactBounds, HoldAlongRunsWithTogglingContact) {
-  std::int64_t states = 0, toggled = 0, proven = 0;
+  test::ContactRuns runs;
   for (const char* element : {"tet4", "hex8"})
     for (const double share : {0.1, 1.0, 5.0}) {
       Body body = twoBodies(element, share * stiffnessOfACell, 5);
       const NodeVectors shake = test::Random(12).nodeVectors(body.nodeCount(), 0.04 * test::cellSize);
-      RunBracket bracket(body, 0.05, infinity);
-      // One proof that is always refused would have the other wait for its turn.
-      IncrementalNodalBound threshold(body), refused(body);
-      std::int64_t touching = -1;
-      for (int step = 0; step < 80; ++step) {
-        const NodeVectors x = meeting(body, step, shake);
-        body.discreteForces()->setReach(step % 3 == 0 ? 0.02 * test::cellSize : 0);
-        const double lambda = DenseTangent(body, x).largest(), h = 2 / std::sqrt(lambda);
-        const std::string what = joinText(element, ", ", share, ", step ", step);
-        const auto& found = bracket.evaluate(x, 2.0, std::nullopt, nullptr);
-        ASSERT_TRUE(found.has_value()) << what;
-        ASSERT_LE(found->safe, h * (1 + tight)) << what;
-        ASSERT_GE(found->optimistic, h * (1 - tight)) << what;
-        EXPECT_FALSE(refused.certify(x, lambda * (1 - 1e-6))) << what;
-        if (threshold.certify(x, 5 * lambda)) {
-          EXPECT_LE(threshold.verify(x), tight) << what;
-          ++proven;
-        }
-        const std::int64_t now = body.discreteForces()->contactState(x).touching;
-        toggled += now != touching;
-        touching = now;
-        ++states;
-      }
+      test::expectHoldsWhileContactToggles(
+          body, 80, 0.02 * test::cellSize, 5, [&](int step) { return meeting(body, step, shake); },
+          joinText(element, ", ", share), runs);
     }
-  EXPECT_EQ(states, 480);
-  EXPECT_GT(toggled, states / 6);
-  EXPECT_GT(proven, 15);
+  EXPECT_EQ(runs.states, 480);
+  EXPECT_GT(runs.toggled, runs.states / 6);
+  EXPECT_GT(runs.proven, 15);
 }
 
 TEST(SurfaceContactBounds, TheCertificateItselfHoldsAtEveryState) {
@@ -148,40 +110,16 @@ TEST(SurfaceContactBounds, TheCertificateItselfHoldsAtEveryState) {
     for (int step = 0; step < 80; ++step) {
       const NodeVectors x = meeting(body, step, shake);
       const double lambda = DenseTangent(body, x).largest();
-      ASSERT_GE(bound.update(x).value, lambda * (1 - tight)) << share << step;
-      EXPECT_LE(bound.verify(x), tight) << share << step;
-      bound.relaxBound(LowerBound{lambda}, 0.05);
-      if (bound.tightenBound(x, LowerBound{lambda}, 0.05)) {
-        ASSERT_GE(bound.update(x).value, lambda * (1 - tight)) << share << step;
-        EXPECT_LE(bound.verify(x), tight) << share << step;
-      }
+      const std::string what = joinText(share, ", step ", step);
+      test::expectProves(bound, x, lambda, what);
+      test::expectProvesTightened(bound, x, lambda, what);
     }
   }
 }
 
-// Contact that comes and goes within the reach costs no proof: after the first certificate no step is refused and none
-// is swept again, while the touching nodes change.
 TEST(SurfaceContactBounds, TogglingCostsNoProof) {
-  Body body = twoBodies("hex8", 0.02 * stiffnessOfACell, 4);
-  body.discreteForces()->setReach(0.06 * test::cellSize);
-  body.discreteForces()->setDampingFactor(0);
-  const NodeVectors& X = body.mesh().X;
-  const double sigma = 1.3 * DenseTangent(body, X).largest();
-  IncrementalNodalBound bound(body);
-  std::int64_t toggled = 0, touching = -1;
-  for (int step = 0; step < 60; ++step) {
-    NodeVectors x = X;
-    for (const std::int32_t node : body.mesh().nodeSets.at("upper"))
-      x(2, node) -= 0.03 * test::cellSize * (1 + std::sin(1.3 * step));
-    ASSERT_TRUE(bound.certify(x, sigma)) << step;
-    if (step > 0) {
-      EXPECT_EQ(bound.statistics().rebuilds + bound.statistics().refreshes, 0) << step;
-    }
-    const std::int64_t now = body.discreteForces()->contactState(x).touching;
-    toggled += now != touching;
-    touching = now;
-  }
-  EXPECT_GT(toggled, 15);
+  test::expectTogglingCostsNoProof(twoBodies("hex8", 0.02 * stiffnessOfACell, 4),
+                                   [](double by) { return Eigen::Vector3d(0, 0, -by); });
 }
 
 // Two equal cubes of one hexahedron, rigid against their contact of matching nodes: each pair of nodes is a spring of
@@ -204,7 +142,7 @@ TEST(SurfaceContactBounds, OfMatchingCubesInClosedForm) {
   EXPECT_EQ(body.discreteForces()->contactState(x).touching, 8);
   const double mass = 1000 * 1e-6 / 8, expected = 4 * k / mass;
   const CriticalStep step = criticalStep(body, x, 2.0);
-  const double h = 2 / std::sqrt(expected);
+  const double h = stepOf(expected);
   EXPECT_NEAR(globalFrequency(body, x).lambda, expected, 1e-4 * expected);
   EXPECT_LE(step.safe, h * (1 + 1e-4));
   EXPECT_GE(step.safe, h * (1 - 1e-3));
@@ -257,87 +195,39 @@ NodeVectors crossing(const Body& body, int step, const NodeVectors& shake) {
 }
 
 TEST(EdgeContactBounds, HoldAlongRunsWithTogglingContact) {
-  std::int64_t states = 0, toggled = 0, proven = 0, governed = 0;
+  test::ContactRuns runs;
   for (const char* element : {"tet4", "hex8"})
     for (const double share : {0.3, 3.0}) {
       Body body = crossedBodies(element, share * stiffnessOfACell, 7);
       const NodeVectors shake = test::Random(12).nodeVectors(body.nodeCount(), 0.03 * test::cellSize);
-      RunBracket bracket(body, 0.05, infinity);
-      IncrementalNodalBound threshold(body);
-      std::int64_t touching = -1;
+      const std::string what = joinText(element, ", ", share);
       for (int step = 0; step < 60; ++step) {
         const NodeVectors x = crossing(body, step, shake);
-        body.discreteForces()->setReach(step % 3 == 0 ? 0.02 * test::cellSize : 0);
-        const double lambda = DenseTangent(body, x).largest(), h = 2 / std::sqrt(lambda);
-        const std::string what = joinText(element, ", ", share, ", step ", step);
         const CriticalStep scratch = criticalStep(body, x, 2.0);
-        ASSERT_LE(scratch.safe, h * (1 + tight)) << what;
-        ASSERT_GE(scratch.optimistic, h * (1 - tight)) << what;
-        const auto& found = bracket.evaluate(x, 2.0, std::nullopt, nullptr);
-        ASSERT_TRUE(found.has_value()) << what;
-        ASSERT_LE(found->safe, h * (1 + tight)) << what;
-        ASSERT_GE(found->optimistic, h * (1 - tight)) << what;
-        if (threshold.certify(x, 5 * lambda)) {
-          EXPECT_LE(threshold.verify(x), tight) << what;
-          ++proven;
-        }
-        const std::int64_t now = body.discreteForces()->contactState(x).touching;
-        toggled += now != touching;
-        touching = now;
-        governed += scratch.discreteShare > 0.5;
-        ++states;
+        test::expectHolds(scratch, DenseTangent(body, x).largest(), joinText(what, ", step ", step));
+        runs.governed += scratch.discreteShare > 0.5;
       }
+      test::expectHoldsWhileContactToggles(
+          body, 60, 0.02 * test::cellSize, 5, [&](int step) { return crossing(body, step, shake); }, what, runs);
     }
-  EXPECT_EQ(states, 240);
-  EXPECT_GT(toggled, states / 12);
-  EXPECT_GT(proven, 15);
-  EXPECT_GT(governed, 5);
+  EXPECT_EQ(runs.states, 240);
+  EXPECT_GT(runs.toggled, runs.states / 12);
+  EXPECT_GT(runs.proven, 15);
+  EXPECT_GT(runs.governed, 5);
 }
 
-// As of nodes and faces: after the first certificate none is refused and none swept again.
 TEST(EdgeContactBounds, TogglingCostsNoProof) {
-  Body body = crossedBodies("hex8", 0.02 * stiffnessOfACell, 4);
-  body.discreteForces()->setReach(0.06 * test::cellSize);
-  body.discreteForces()->setDampingFactor(0);
-  const double sigma = 1.3 * DenseTangent(body, body.mesh().X).largest();
-  IncrementalNodalBound bound(body);
-  std::int64_t toggled = 0, touching = -1;
-  for (int step = 0; step < 60; ++step) {
-    NodeVectors x = body.mesh().X;
-    for (const std::int32_t node : body.mesh().nodeSets.at("upper"))
-      x.col(node) += Eigen::Vector3d(0.005, 0.005, -0.03 * test::cellSize * (1 + std::sin(1.3 * step)));
-    ASSERT_TRUE(bound.certify(x, sigma)) << step;
-    if (step > 0) {
-      EXPECT_EQ(bound.statistics().rebuilds + bound.statistics().refreshes, 0) << step;
-    }
-    const std::int64_t now = body.discreteForces()->contactState(x).touching;
-    toggled += now != touching;
-    touching = now;
-  }
-  EXPECT_GT(toggled, 15);
+  test::expectTogglingCostsNoProof(crossedBodies("hex8", 0.02 * stiffnessOfACell, 4),
+                                   [](double by) { return Eigen::Vector3d(0.005, 0.005, -by); });
 }
 
 TEST(SurfaceContactBounds, SameBitsForAnyNumberOfThreads) {
-  std::vector<double> safe, optimistic;
-  for (const int threads : {1, 2, 4}) {
-    Body body = twoBodies("tet4", stiffnessOfACell, 5, threads, 6);
-    const NodeVectors shake = test::Random(12).nodeVectors(body.nodeCount(), 0.02 * test::cellSize);
-    RunBracket bracket(body, 0.05, infinity);
-    std::size_t at = 0;
-    for (int step = 0; step < 12; ++step) {
-      const auto& found = bracket.evaluate(meeting(body, 2 * step, shake), 2.0, std::nullopt, nullptr);
-      ASSERT_TRUE(found.has_value());
-      if (threads == 1) {
-        safe.push_back(found->safe);
-        optimistic.push_back(found->optimistic);
-      } else {
-        EXPECT_EQ(found->safe, safe[at]);
-        EXPECT_EQ(found->optimistic, optimistic[at]);
-      }
-      ++at;
-    }
-  }
-  EXPECT_EQ(safe.size(), 12U);
+  test::expectSameBitsForAnyThreads([](int threads) { return twoBodies("tet4", stiffnessOfACell, 5, threads, 6); },
+                                    [shake = NodeVectors()](const Body& body, int step) mutable {
+                                      if (step == 0)
+                                        shake = test::Random(12).nodeVectors(body.nodeCount(), 0.02 * test::cellSize);
+                                      return meeting(body, 2 * step, shake);
+                                    });
 }
 
 }  // namespace

@@ -2,23 +2,16 @@
 // whose hourglass modes move, and for ranges of states, against dense eigenvalues.
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include <ringwatch/base/error.h>
-#include <ringwatch/base/infinity.h>
 #include <ringwatch/monitor/bounds/range_bound.h>
 #include <ringwatch/monitor/certificate_file.h>
-#include <ringwatch/monitor/critical_step.h>
-#include <ringwatch/monitor/incremental/run_bracket.h>
 #include <ringwatch/monitor/incremental/work_account.h>
-#include <tests/monitor/monitor_cases.h>
+#include <tests/monitor/bracket_checks.h>
 
 namespace ringwatch {
 namespace {
 
 using test::DenseTangent;
-
-constexpr double exact = 1e-9;
 
 /// viscosity: of hourglass modes, at such a factor that it counts as much as their stiffness.
 Body uniformStrainBody(std::string_view law, double stiffness, double viscosity, std::array<int, 3> cells = {2, 2, 2}) {
@@ -32,12 +25,6 @@ Body uniformStrainBody(std::string_view law, double stiffness, double viscosity,
   }
   return body;
 }
-NodeVectors pathState(const NodeVectors& X, double at, const NodeVectors& shake) {
-  const Eigen::AngleAxisd turn(0.2 * at, Eigen::Vector3d(0.3, 1, 0.2).normalized());
-  const Eigen::Matrix3d F =
-      turn.toRotationMatrix() * Eigen::Vector3d(1 + 0.1 * std::sin(at), 1 - 0.2 * std::sin(1.3 * at), 1).asDiagonal();
-  return F * X + std::sin(2.1 * at) * shake;
-}
 
 TEST(UniformStrainBracket, HoldsFromScratchForEveryLaw) {
   int brackets = 0, damped = 0;
@@ -49,11 +36,9 @@ TEST(UniformStrainBracket, HoldsFromScratchForEveryLaw) {
           const DenseTangent dense(body, state.x);
           if (!dense.finite() || !(dense.largest() > 0)) continue;
           const CriticalStep step = criticalStep(body, state.x, 2.0);
-          const double h = 2 / std::sqrt(dense.largest());
           const std::string what = joinText(law.name, ", ", stiffness, ", ", viscosity, ", ", state.name);
-          ASSERT_LE(step.safe, h * (1 + exact)) << what;
-          ASSERT_GE(step.optimistic, h * (1 - exact)) << what;
-          EXPECT_GE(step.safe, 0.8 * h) << what;
+          test::expectHolds(step, dense.largest(), what);
+          EXPECT_GE(step.safe, 0.8 * test::stepOf(dense.largest())) << what;
           ++brackets;
           if (viscosity == 0) continue;
           body.elementDamping()->setFactor(0);
@@ -78,19 +63,15 @@ TEST(UniformStrainBracket, ProofsHoldAlongRuns) {
         IncrementalNodalBound bound(body, {}, &account);
         RunBracket bracket(body, 0.05, budget);
         for (int step = 0; step < 30; ++step) {
-          const NodeVectors x = pathState(X, 0.05 * step, shake);
+          const NodeVectors x = test::turningPath(X, 0.05 * step, shake);
           account.earn();
           const DenseTangent dense(body, x);
           ASSERT_TRUE(dense.finite());
-          const double lambda = dense.largest(), h = 2 / std::sqrt(lambda);
+          const double lambda = dense.largest();
           const std::string what = joinText(law.name, ", ", viscosity, ", budget ", budget, ", step ", step);
-          ASSERT_GE(bound.update(x).value, lambda * (1 - exact)) << what;
-          ASSERT_LE(bound.verify(x), exact) << what;
+          test::expectProves(bound, x, lambda, what);
           kept += bound.statistics().evaluated < static_cast<std::int64_t>(body.mesh().elementCount()) / 2;
-          const auto& found = bracket.evaluate(x, 2.0, std::nullopt, nullptr);
-          ASSERT_TRUE(found.has_value()) << what;
-          ASSERT_LE(found->safe, h * (1 + exact)) << what;
-          ASSERT_GE(found->optimistic, h * (1 - exact)) << what;
+          test::expectHolds(bracket, x, lambda, what);
           ++states;
         }
       }
