@@ -341,17 +341,17 @@ TEST_F(DampedScene, TakesTheEnergyThatTheKicksTake) {
              {"stiffness_damping = 5e-3", ""},
              {"mass_damping = 5\nshear_viscosity = 2", "mass = 2\nstiffness = 1e-4\nbulk_viscosity = true"},
              {"", "mass = 50\nstiffness = 1e-3"}}) {
-      run(sceneOf(material, damping, method), "--set integrator.step=auto --set integrator.end=0.03", "auto");
-      const double h = json("auto/summary.json")["smallest_step"];
-      EXPECT_EQ(json("auto/summary.json")["verdict"], "certified") << method << material << damping;
-      EXPECT_EQ(json("auto/summary.json")["events"].size(), 0u) << method << material << damping;
+      runScene(sceneOf(material, damping, method), "--set integrator.step=auto --set integrator.end=0.03");
+      const double h = summary_["smallest_step"];
+      EXPECT_EQ(summary_["verdict"], "certified") << method << material << damping;
+      EXPECT_EQ(summary_["events"].size(), 0u) << method << material << damping;
       for (const double step : {0.9 * h, 0.45 * h}) {
         const std::string end = test::digits(64 * step), given = test::digits(step);
-        run(sceneOf(material, damping, method), "--set integrator.step=" + given + " --set integrator.end=" + end);
+        runScene(sceneOf(material, damping, method), "--set integrator.step=" + given + " --set integrator.end=" + end);
         const Scene scene =
             readScene(folder_.path() / "scene.toml", {"integrator.step=" + given, "integrator.end=" + end});
-        const double expected = takenByKicks(scene, std::llround(lastRow("step")));
-        EXPECT_NEAR(lastRow("dissipated_J"), expected, 1e-9 * expected) << method << material << damping;
+        const double expected = takenByKicks(scene, std::llround(history_.last("step")));
+        EXPECT_NEAR(history_.last("dissipated_J"), expected, 1e-9 * expected) << method << material << damping;
         ++runs;
       }
     }
@@ -365,8 +365,9 @@ TEST_F(DampedScene, BalanceClosesAtOrderTwo) {
            {"shear_viscosity = 5\nvolume_viscosity = 10", "mass = 5\nstiffness = 1e-4"}}) {
     double errors[2];
     for (const int finer : {0, 1}) {
-      run(sceneOf(material, damping, "verlet"), finer ? "--set integrator.step=2e-5" : "--set integrator.step=4e-5");
-      errors[finer] = largest("balance_error_J");
+      runScene(sceneOf(material, damping, "verlet"),
+               finer ? "--set integrator.step=2e-5" : "--set integrator.step=4e-5");
+      errors[finer] = history_.largest("balance_error_J");
     }
     EXPECT_NEAR(errors[0] / errors[1], 4, 0.4) << material << damping;
   }
