@@ -62,10 +62,9 @@ struct MeshState {
 };
 /// Reads a mesh and a state from a .vtu or legacy .vtk file by a displacement (m) at its points: positions are points +
 /// displacement. Frames of a run hold deformed points, and say so: there the points are the positions, and the mesh at
-/// rest is points
-/// - displacement. The mesh is checked as by `loadMesh`. Throws InputError: as readMesh, for a file of another format,
-/// and for a field that is missing (lists the fields of three components), has other than three components, or is not
-/// finite.
+/// rest is points - displacement. The mesh is checked as by `loadMesh`. Throws InputError: as readMesh, for a file of
+/// another format, and for a field that is missing (lists the fields of three components), has other than three
+/// components, or is not finite.
 MeshState loadVtuState(const std::filesystem::path& path, const std::string& displacement,
                        std::vector<std::string>* notes = nullptr);
 /// The same without the check, as readMesh: nodes that no element uses stay.

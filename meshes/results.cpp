@@ -195,7 +195,8 @@ Mesh detail::standingMesh(ResultFrame frame, const std::string& source, Notes* n
   if (deleted == all) throw InputError(joinText(source, ": all ", all, " elements are deleted, by their status"));
   if (notes != nullptr)
     notes->push_back(joinText(source, ": ", deleted, " of ", all, deleted == 1 ? " elements is" : " elements are",
-                              " deleted, by the status that the file tells, and left out with their mass"));
+                              " deleted, by the status that the file tells, and left out with ",
+                              deleted == 1 ? "its" : "their", " mass"));
   Mesh standing = meshOfElements(frame.mesh, frame.deleted);
   standing.X = std::move(frame.mesh.X);
   standing.nodeIds = std::move(frame.mesh.nodeIds);

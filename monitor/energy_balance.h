@@ -77,7 +77,7 @@ class EnergyBalance {
   std::int32_t owned_;  // nodes
   bool started_ = false, hasReference_ = false;
   double referenceEnergy_ = 0;
-  Eigen::VectorXd work_, dissipated_;  // J, of all nodes together or, of a part, of each own one
+  Eigen::VectorXd work_, dissipated_;   // J, of all nodes together or, of a part, of each own one
   NodeVectors dampedX_, dampingForce_;  // of the last record; empty before it
   struct ObstaclePowerAt {
     double time;

@@ -82,7 +82,7 @@ class RunEnergies {
   /// Of the first state with a row, what the energy lacks to the one that is kept, over h or h². Empty for schemes that
   /// keep no such energy, and where a handler or a device steps.
   std::optional<double> firstHalfStep_;
-  double lastError_ = 0;  // J, of the balance, the last one that was a number
+  double lastError_ = 0;                                        // J, of the balance, the last one that was a number
   NodeVectors besideElements_, dampingForce_, resistingForce_;  // of the state, N
   EnergyRunaway runaway_;
 };

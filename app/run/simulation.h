@@ -106,8 +106,8 @@ class Simulation {
   Body::Workspace workspace_;
   bool stepperNeedsForce_ = false;
   bool dampingDue_ = false;
-  bool rowDue_ = false;        // at the state that was observed last
-  double preparedFor_ = 0;     // s, the step that the handler chose for
+  bool rowDue_ = false;     // at the state that was observed last
+  double preparedFor_ = 0;  // s, the step that the handler chose for
 };
 
 }  // namespace ringwatch
