@@ -191,7 +191,7 @@ std::string distributionSvg(const std::vector<Distribution>& distributions, cons
   svg += fmt::format(
       "<text class=\"tick\" x=\"{}\" y=\"{:.1f}\" text-anchor=\"end\">step of the element (s), heights "
       "logarithmic</text>",
-      width - right, height - 4);
+      width - right, height - 9);
   return svg + "</svg>";
 }
 

@@ -79,6 +79,14 @@ def check_opens(browser, chromium, run):
             equal(page.said(), [], f"messages at width {width}")
             equal(page.requests(), [], f"requests at width {width}")
             true(page.evaluate("document.documentElement.scrollWidth <= innerWidth"), f"wider than {width} pixels")
+            # The distribution is seen whole, in letters that can be read.
+            drawn, frame, letters = page.evaluate("""(() => {
+              const svg = document.querySelector('#distribution svg'), text = svg.querySelector('.tick');
+              const width = svg.getBoundingClientRect().width;
+              return [width, svg.parentElement.clientWidth, parseFloat(getComputedStyle(text).fontSize) * width / svg.viewBox.baseVal.width];
+            })()""")
+            true(drawn <= frame + 1, f"the distribution is {drawn} wide in {frame} pixels")
+            true(letters >= 9, f"letters of {letters} pixels at width {width}")
 
 
 def check_still(browser, chromium, run):
