@@ -1,4 +1,4 @@
-"""A headless Chromium, spoken to over a pipe by the DevTools protocol: nothing but Python's own library."""
+"""Headless browsers, spoken to by their own protocols: nothing but Python's own library."""
 import base64
 import json
 import os
@@ -19,11 +19,50 @@ def find_chromium():
     return None
 
 
-class Browser:
+class Headless:
     """One page of a browser that has no network; a context manager."""
 
-    def __init__(self, program, width=1200, height=900, dark=False, scripts=True):
+    def __init__(self):
         self.profile = tempfile.TemporaryDirectory()
+        self.buffer, self.number = b"", 0
+
+    def start(self, command, **options):
+        self.process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                                        stderr=subprocess.DEVNULL, start_new_session=True, **options)
+
+    def close(self):
+        """Closes the connection."""
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        try:
+            os.killpg(self.process.pid, signal.SIGKILL)
+        except ProcessLookupError:
+            pass
+        self.process.wait()
+        self.close()
+        for _ in range(50):  # helpers of the browser may still write into the profile
+            try:
+                self.profile.cleanup()
+                break
+            except OSError:
+                time.sleep(0.1)
+
+    def wait_for(self, expression, timeout=60):
+        end = time.monotonic() + timeout
+        while not self.evaluate(expression):
+            if time.monotonic() > end:
+                raise TimeoutError(f"never true: {expression}; the page said {self.said()}")
+            time.sleep(0.05)
+
+
+class Browser(Headless):
+    """Chromium, by the DevTools protocol over a pipe."""
+
+    def __init__(self, program, width=1200, height=900, dark=False, scripts=True):
+        super().__init__()
         to_browser, from_browser = os.pipe(), os.pipe()
         self.writer, self.reader = to_browser[1], from_browser[0]
 
@@ -32,18 +71,17 @@ class Browser:
             os.dup2(read, 3)
             os.dup2(write, 4)
 
-        self.process = subprocess.Popen(
+        self.start(
             [program, "--headless=new", "--remote-debugging-pipe", "--no-sandbox", "--no-first-run",
              f"--user-data-dir={self.profile.name}", "--disable-dev-shm-usage", "--disable-component-update",
              "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--hide-scrollbars",
              # Whatever would ask for something elsewhere fails at once.
              "--proxy-server=127.0.0.1:9", "--disable-background-networking",
              f"--window-size={width},{height}", "about:blank"],
-            preexec_fn=pipes, pass_fds=(3, 4), stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
-            stderr=subprocess.DEVNULL, start_new_session=True)
+            preexec_fn=pipes, pass_fds=(3, 4))
         os.close(to_browser[0])
         os.close(from_browser[1])
-        self.buffer, self.number, self.events, self.session = b"", 0, [], None
+        self.events, self.session = [], None
         target = next(t for t in self.call("Target.getTargets")["targetInfos"] if t["type"] == "page")
         self.session = self.call("Target.attachToTarget", targetId=target["targetId"], flatten=True)["sessionId"]
         for domain in ("Page", "Runtime", "Log", "Network"):
@@ -57,23 +95,9 @@ class Browser:
         if not scripts:
             self.call("Emulation.setScriptExecutionDisabled", value=True)
 
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *_):
-        try:
-            os.killpg(self.process.pid, signal.SIGKILL)
-        except ProcessLookupError:
-            pass
-        self.process.wait()
+    def close(self):
         os.close(self.writer)
         os.close(self.reader)
-        for _ in range(50):  # helpers of the browser may still write into the profile
-            try:
-                self.profile.cleanup()
-                break
-            except OSError:
-                time.sleep(0.1)
 
     def _message(self, timeout):
         end = time.monotonic() + timeout
@@ -117,13 +141,6 @@ class Browser:
         self.call("Page.navigate", url=pathlib.Path(file).resolve().as_uri())
         while not any(e.get("method") == "Page.loadEventFired" for e in self.events):
             self.events.append(self._message(60))
-
-    def wait_for(self, expression, timeout=30):
-        end = time.monotonic() + timeout
-        while not self.evaluate(expression):
-            if time.monotonic() > end:
-                raise TimeoutError(f"never true: {expression}; the page said {self.said()}")
-            time.sleep(0.05)
 
     def said(self):
         """What came onto the console: messages, warnings, errors, exceptions."""

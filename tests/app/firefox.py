@@ -4,11 +4,10 @@ import json
 import os
 import pathlib
 import shutil
-import signal
 import socket
-import subprocess
-import tempfile
 import time
+
+import browser
 
 
 def find_firefox():
@@ -25,11 +24,11 @@ def free_port():
         return probe.getsockname()[1]
 
 
-class Firefox:
-    """One page of a browser that has no network; a context manager."""
+class Firefox(browser.Headless):
+    """Firefox, by Marionette."""
 
     def __init__(self, program, width=1200, height=900):
-        self.profile = tempfile.TemporaryDirectory()
+        super().__init__()
         port = free_port()
         settings = {"marionette.port": port, "network.proxy.type": 1, "network.proxy.http": "127.0.0.1",
                     "network.proxy.http_port": 9, "network.proxy.ssl": "127.0.0.1", "network.proxy.ssl_port": 9,
@@ -38,13 +37,11 @@ class Firefox:
                     "ui.prefersReducedMotion": 1}
         (pathlib.Path(self.profile.name) / "user.js").write_text(
             "".join(f"user_pref({json.dumps(k)}, {json.dumps(v)});\n" for k, v in settings.items()))
-        self.process = subprocess.Popen(
+        self.start(
             [program, "--headless", "--marionette", "--remote-allow-system-access", "--no-remote", "--profile",
              self.profile.name, "--width", str(width), "--height", str(height)],
             env={**os.environ, "MOZ_HEADLESS_WIDTH": str(width), "MOZ_HEADLESS_HEIGHT": str(height),
-                 "HOME": self.profile.name},
-            stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True)
-        self.buffer, self.number = b"", 0
+                 "HOME": self.profile.name})
         end = time.monotonic() + 90
         while True:
             try:
@@ -58,23 +55,9 @@ class Firefox:
         self._message()  # its greeting
         self.call("WebDriver:NewSession")
 
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *_):
-        try:
-            os.killpg(self.process.pid, signal.SIGKILL)
-        except ProcessLookupError:
-            pass
-        self.process.wait()
+    def close(self):
         if hasattr(self, "socket"):
             self.socket.close()
-        for _ in range(50):  # helpers of the browser may still write into the profile
-            try:
-                self.profile.cleanup()
-                break
-            except OSError:
-                time.sleep(0.1)
 
     def _message(self):
         """A length in digits, a colon, and so many bytes of JSON."""
@@ -106,13 +89,6 @@ class Firefox:
 
     def open(self, file):
         self.call("WebDriver:Navigate", url=pathlib.Path(file).resolve().as_uri())
-
-    def wait_for(self, expression, timeout=60):
-        end = time.monotonic() + timeout
-        while not self.evaluate(expression):
-            if time.monotonic() > end:
-                raise TimeoutError(f"never true: {expression}; the page said {self.said()}")
-            time.sleep(0.05)
 
     def said(self):
         """Errors and warnings of the page that came onto the browser's console."""

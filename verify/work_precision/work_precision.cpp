@@ -26,17 +26,28 @@ struct Counts {
   double forces = 0, products = 0, matrices = 0;
 };
 
-/// Counts what is asked of another system, each time as `weight`.
-class Counted final : public DifferentiableSystem {
+/// Counts the forces of another system, each as `weight`.
+template <class System>
+class CountedForces : public System {
  public:
-  Counted(DifferentiableSystem& inner, Counts& counts, double weight = 1)
-      : inner_(inner), counts_(counts), weight_(weight) {}
+  CountedForces(System& inner, Counts& counts, double weight) : inner_(inner), counts_(counts), weight_(weight) {}
   void acceleration(double t, const NodeVectors& x, const NodeVectors& v, NodeVectors& a) override {
     counts_.forces += weight_;
     inner_.acceleration(t, x, v, a);
   }
   int threads() const override { return inner_.threads(); }
   bool velocityDependent() const override { return inner_.velocityDependent(); }
+
+ protected:
+  System& inner_;
+  Counts& counts_;
+  double weight_;
+};
+
+/// Counts tangent products and matrices as well.
+class Counted final : public CountedForces<DifferentiableSystem> {
+ public:
+  Counted(DifferentiableSystem& inner, Counts& counts, double weight = 1) : CountedForces(inner, counts, weight) {}
   const Eigen::VectorXd& mass() const override { return inner_.mass(); }
   RayleighDamping damping() const override { return inner_.damping(); }
   void stiffnessProduct(const NodeVectors& x, const NodeVectors& u, NodeVectors& Ku) override {
@@ -52,29 +63,6 @@ class Counted final : public DifferentiableSystem {
     inner_.stiffnessDiagonal(x, blocks);
   }
   bool isConstrained(std::int32_t node, int component) const override { return inner_.isConstrained(node, component); }
-
- private:
-  DifferentiableSystem& inner_;
-  Counts& counts_;
-  double weight_;
-};
-
-/// The same for forces alone.
-class CountedForces final : public SecondOrderSystem {
- public:
-  CountedForces(SecondOrderSystem& inner, Counts& counts, double weight)
-      : inner_(inner), counts_(counts), weight_(weight) {}
-  void acceleration(double t, const NodeVectors& x, const NodeVectors& v, NodeVectors& a) override {
-    counts_.forces += weight_;
-    inner_.acceleration(t, x, v, a);
-  }
-  int threads() const override { return inner_.threads(); }
-  bool velocityDependent() const override { return inner_.velocityDependent(); }
-
- private:
-  SecondOrderSystem& inner_;
-  Counts& counts_;
-  double weight_;
 };
 
 class CountedParts final : public AdditiveSystem {
@@ -89,7 +77,7 @@ class CountedParts final : public AdditiveSystem {
 
  private:
   std::unique_ptr<AdditiveSystem> system_;
-  CountedForces nonstiff_;
+  CountedForces<SecondOrderSystem> nonstiff_;
   Counted stiff_;
 };
 
