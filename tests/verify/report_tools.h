@@ -2,6 +2,8 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <variant>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -24,6 +26,9 @@ inline std::set<std::string> figureNames(const StudyReport& report) {
   for (const StudyFigure& figure : report.figures) names.insert(figure.name);
   return names;
 }
+using Row = std::vector<StudyTable::Cell>;
+inline const std::string& textAt(const Row& row, std::size_t column) { return std::get<std::string>(row.at(column)); }
+inline double numberAt(const Row& row, std::size_t column) { return std::get<double>(row.at(column)); }
 /// The texts of a column, each once.
 inline std::set<std::string> textsOf(const StudyTable& table, std::size_t column) {
   std::set<std::string> texts;
