@@ -117,14 +117,16 @@ function(ringwatch_law_files files template)
   set(${files} ${${files}} PARENT_SCOPE)
 endfunction()
 
-# ringwatch_unity(TARGET): compiles several files of TARGET at a time where RINGWATCH_UNITY says so. Most of the time that a file of a
+# ringwatch_unity(TARGET [FILES]): compiles so many files of TARGET at a time, 5 unless given, where RINGWATCH_UNITY says so. Most of the time that a file of a
 # few hundred lines takes goes into templates of the standard library and of Eigen, which its neighbours need too: eight files of
 # app/run take 32 processor-seconds one by one and 11 together. Files that take as long as several others are compiled alone:
 # ringwatch_compile_alone(FILES …), in the folder of the target. So are kernels, ringwatch_kernels(FILES …), where their speed
 # counts: GCC inlines less where a function has more callers, and reduced 1-rings took 1.5 times as long.
 function(ringwatch_unity target)
+  set(files 5 ${ARGN})
+  list(GET files -1 files)
   if(RINGWATCH_UNITY)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 5)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${files})
   endif()
 endfunction()
 

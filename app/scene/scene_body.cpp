@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <ringwatch/app/scene/mjcf_model.h>
+#include <ringwatch/app/scene/number_text.h>
 #include <ringwatch/app/scene/scene_damping.h>
 #include <ringwatch/app/scene/scene_discrete.h>
 #include <ringwatch/app/scene/scene_mesh.h>
