@@ -560,7 +560,7 @@ class DeckReader : DeckWriter {
       for (const MeshBlock& block : mesh().blocks) scalingOfElement_.emplace_back(block.elementCount(), nullptr);
       for (const DeckScaling& scaling : scalings_)
         if (scaling.elset.empty())
-          for (auto& block : scalingOfElement_) std::ranges::fill(block, &scaling);
+          for (auto& block : scalingOfElement_) block.assign(block.size(), &scaling);
       keyword_.name = "FIXED MASS SCALING";
       for (const DeckScaling& scaling : scalings_)
         if (!scaling.elset.empty())

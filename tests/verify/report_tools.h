@@ -1,4 +1,5 @@
 #pragma once
+#include <regex>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -36,8 +37,8 @@ inline std::set<std::string> textsOf(const StudyTable& table, std::size_t column
   return texts;
 }
 
-/// At least so many checks are there; each holds and has a name of its own; tables have rows, as wide as their columns;
-/// figures have curves, and those as many x as y.
+/// At least so many checks are there; each holds and has a name of its own; tables have rows, as wide as their columns,
+/// which name their units themselves; figures have curves, and those as many x as y.
 inline void expectHolds(const StudyReport& report, std::size_t checks = 1) {
   std::set<std::string> names;
   for (const StudyCheck& check : report.checks) {
@@ -50,6 +51,7 @@ inline void expectHolds(const StudyReport& report, std::size_t checks = 1) {
   EXPECT_EQ(figureNames(report).size(), report.figures.size()) << "two figures of one name";
   for (const StudyTable& table : report.tables) {
     EXPECT_FALSE(table.rows.empty()) << table.name;
+    EXPECT_FALSE(std::regex_search(table.title, std::regex(R"(\((s|ms|us|Hz|rad/s|J|%)\))"))) << table.title;
     for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.columns.size()) << table.name;
   }
   for (const StudyFigure& figure : report.figures) {

@@ -270,7 +270,7 @@ void studyCantilever(StudyReport& report, StudyEffort effort) {
        "tangent product (ns an element)", "time per second (s)"},
       {}};
   StudyTable onePercent{"one-percent",
-                        "Time for a simulated second at 1 % tip error, interpolated between meshes (s)",
+                        "Time for a simulated second at 1 % tip error, interpolated between meshes",
                         {"element", "rule", "time per second (s)"},
                         {}};
   StudyFigure bySize{"elements-tip-error-size",

@@ -410,14 +410,15 @@ class RemeshingStudy {
                    {"body", "mesher", "handler", "tetrahedra", "handled", "step (ms)", "error (% of displacement)",
                     "seconds a simulated second", "time/plain"},
                    {}};
-  StudyTable cutSteps_{"cut_steps",
-                       "Proven critical step after cuts (ms)",
-                       {"body", "remeshing", "initial", "1st cut", "2nd cut", "3rd cut", "4th cut"},
-                       {}};
+  StudyTable cutSteps_{
+      "cut_steps",
+      "Proven critical step after cuts",
+      {"body", "remeshing", "initial (ms)", "1st cut (ms)", "2nd cut (ms)", "3rd cut (ms)", "4th cut (ms)"},
+      {}};
   StudyTable cutTimes_{"cut_times",
-                       "Processor time of cutting and remeshing (s)",
-                       {"body", "remeshing", "1st cut", "2nd cut", "3rd cut", "4th cut", "1st remeshing",
-                        "2nd remeshing", "3rd remeshing", "4th remeshing"},
+                       "Processor time of cutting and remeshing",
+                       {"body", "remeshing", "1st cut (s)", "2nd cut (s)", "3rd cut (s)", "4th cut (s)",
+                        "1st remeshing (s)", "2nd remeshing (s)", "3rd remeshing (s)", "4th remeshing (s)"},
                        {}};
   StudyTable skipped_{"skipped", "What could not be had", {"body", "what", "why"}, {}};
 };

@@ -207,9 +207,9 @@ double digits(double value, double parts) { return std::round(value * parts) / p
 
 /// A table with a row a family and a column a rule.
 void addTable(StudyReport& report, const std::string& name, const std::string& title, const std::vector<Row>& rows,
-              double (*value)(const Tally&), double parts) {
+              double (*value)(const Tally&), double parts, const char* unit = "") {
   StudyTable table{name, title, {"family", "shapes"}, {}};
-  for (const std::string& rule : rows.front().rules) table.columns.push_back(rule);
+  for (const std::string& rule : rows.front().rules) table.columns.push_back(rule + unit);
   for (const Row& row : rows) {
     const Tallies all = row.all();
     auto& cells = table.rows.emplace_back();
@@ -220,22 +220,24 @@ void addTable(StudyReport& report, const std::string& name, const std::string& t
   report.tables.push_back(std::move(table));
 }
 
+constexpr const char* percent = " (%)";
+
 void addTables(StudyReport& report, const std::string& suffix, const std::string& what, const std::vector<Row>& rows) {
   addTable(
-      report, "unsafe" + suffix, what + ": shapes on which the rule is above the exact step (%)", rows,
-      [](const Tally& t) { return 100 * static_cast<double>(t.unsafe) / static_cast<double>(t.shapes); }, 100);
+      report, "unsafe" + suffix, what + ": shapes on which the rule is above the exact step", rows,
+      [](const Tally& t) { return 100 * static_cast<double>(t.unsafe) / static_cast<double>(t.shapes); }, 100, percent);
   addTable(
       report, "largest" + suffix, what + ": largest step of the rule over the exact one", rows,
       [](const Tally& t) { return t.largest; }, 1000);
   addTable(
-      report, "waste" + suffix, what + ": what a safe step of the rule gives away, mean (%)", rows,
+      report, "waste" + suffix, what + ": what a safe step of the rule gives away, mean", rows,
       [](const Tally& t) {
         return 100 * t.waste / static_cast<double>(std::max<std::int64_t>(t.shapes - t.unsafe, 1));
       },
-      10);
+      10, percent);
   addTable(
-      report, "error" + suffix, what + ": distance of the rule from the exact step, mean (%)", rows,
-      [](const Tally& t) { return 100 * t.error / static_cast<double>(t.shapes); }, 10);
+      report, "error" + suffix, what + ": distance of the rule from the exact step, mean", rows,
+      [](const Tally& t) { return 100 * t.error / static_cast<double>(t.shapes); }, 10, percent);
   StudyTable byRatio{"largest-by-poisson" + suffix,
                      what + ": largest step of the rule over the exact one",
                      {"family", "Poisson's ratio"},

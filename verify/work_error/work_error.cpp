@@ -27,16 +27,16 @@ namespace {
 
 using detail::highestEigenvalue, detail::nan, detail::verletLimit;
 
-constexpr double length = 0.2, width = 0.04;  // m
-constexpr double gravity = 0.3;               // m/s²: strains of some per cent
-constexpr double heldShare = 0.08;            // of the extent along x
-constexpr double periods = 0.65;              // of the first vibration: past its first turning point
-constexpr double ofTheReference = 1e-6;       // change of the reference's end when its step is halved, relative
+constexpr double barLength = 0.2, barWidth = 0.04;  // m
+constexpr double gravity = 0.3;                     // m/s²: strains of some per cent
+constexpr double heldShare = 0.08;                  // of the extent along x
+constexpr double periods = 0.65;                    // of the first vibration: past its first turning point
+constexpr double ofTheReference = 1e-6;             // change of the reference's end when its step is halved, relative
 constexpr double goodError = 0.01;
 
 BarOptions barOptions(std::array<int, 3> cells, double jitter = 0, std::string_view element = "tet4") {
   BarOptions options;
-  options.size = {length, width, width};
+  options.size = {barLength, barWidth, barWidth};
   options.cells = cells;
   options.jitter = jitter;
   options.element = element;
@@ -88,7 +88,7 @@ std::vector<BodyInfo> allBodies() {
              options.coarse = barOptions({10, 2, 2}, 0.15);
              options.finest = 0.01;
              options.growth = 0.5;
-             options.plane = length / 2;
+             options.plane = barLength / 2;
              return generateRefinedBar(options);
            }},
           {"bar of hexahedra", "bar-hex8",
@@ -103,15 +103,15 @@ std::vector<BodyInfo> allBodies() {
           {"ball", "ball",
            [] {
              BallOptions options;
-             options.radius = length / 2;
+             options.radius = barLength / 2;
              options.cells = 6;
              return generateBall(options);
            }},
           {"ring", "ring", [] {
              RingOptions options;
-             options.radius = length / 2;
+             options.radius = barLength / 2;
              options.inner = 0.7 * options.radius;
-             options.width = width;
+             options.width = barWidth;
              options.cells = {24, 2, 2};
              return generateRing(options);
            }}};
@@ -344,7 +344,7 @@ StudyReport verifyWorkError(StudyEffort effort) {
        "why the run was lost; empty when it was not"}};
   StudyTable best{"cheapest",
                   "Quickest run with a displacement error of at most 1 %",
-                  {"body", "rule", "method", "h (s)", "displacement error", "time (s)", "time over proven's"},
+                  {"body", "rule", "method", "h (s)", "displacement error", "time (s)", "time over that of proven"},
                   {},
                   {"name", "see runs", "see runs", "see runs", "see runs", "see runs",
                    "over that of the quickest run in a share of the proven step"}};
