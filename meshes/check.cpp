@@ -364,10 +364,15 @@ std::vector<std::int32_t> firstNodesAtPlaces(const Mesh& mesh, double near, bool
     const std::int32_t index = n;
     const Eigen::Vector3d X = mesh.X.col(index);
     // A node is entered in its own cell and sought in all cells that its neighbourhood touches.
+    double nearest = infinity;
     grid.forEachCellNear(X, distances[n], [&](std::uint64_t cell) {
       const auto last = lastOfCell.find(cell);
-      for (std::int32_t other = last == lastOfCell.end() ? -1 : last->second; other >= 0; other = before[other])
-        if ((mesh.X.col(other) - X).norm() <= std::min(distances[other], distances[n])) at[n] = std::min(at[n], other);
+      for (std::int32_t other = last == lastOfCell.end() ? -1 : last->second; other >= 0; other = before[other]) {
+        const double apart = (mesh.X.col(other) - X).norm();
+        if (apart > std::min(distances[other], distances[n])) continue;
+        if (apart < nearest || (apart == nearest && other < at[n])) at[n] = other;
+        nearest = std::min(nearest, apart);
+      }
       return false;
     });
     if (at[n] != index) continue;

@@ -175,6 +175,7 @@ Energies EnergyBalance::evaluate(const NodeVectors& x, const NodeVectors& v) {
   own_.wantsForce = body_.constraints().moving();
   own_.wantsEnergy = true;
   body_.evaluate(x, own_, workspace_);
+  if (own_.wantsForce && dampedX_.cols() == x.cols() && dampedX_ == x) own_.internalForce += dampingForce_;
   record(x, own_.internalForce);
   return energies(x, v, own_.strainEnergy);
 }

@@ -54,7 +54,8 @@ class EnergyBalance {
   /// Energies at the state that was recorded last: its positions x and velocities v (3×N, m and m/s), its strain energy
   /// (J), which a part of a body sums up itself. Collective.
   Energies energies(const NodeVectors& x, const NodeVectors& v, double strainEnergy);
-  /// Both at once for a state whose force and strain energy are not known: one pass over the elements.
+  /// Both at once for a state whose force and strain energy are not known, by one pass over the elements; damping that
+  /// was recorded there resists at supports too.
   Energies evaluate(const NodeVectors& x, const NodeVectors& v);
 
   template <class Archive>

@@ -315,7 +315,9 @@ std::string nameOf(const AuditedState& state) {
 
 class AuditReport {
  public:
-  AuditReport(const Body& body, const std::vector<AuditedState>& states) : body_(body), states_(states) {}
+  /// every: so many states of the results lie from one of these to the next.
+  AuditReport(const Body& body, const std::vector<AuditedState>& states, int every)
+      : body_(body), states_(states), every_(every) {}
 
   void write(AuditResult& result, std::vector<AuditEvent>& events, bool all) const {
     table(result.text, all);
@@ -362,7 +364,7 @@ class AuditReport {
         std::ranges::any_of(states_, [](const AuditedState& s) { return s.verdict() == Verdict::notCertified; });
     if (violated || inverted || lost)
       result.status = ExitStatus::unstable;
-    else if (open)
+    else if (open || std::ranges::any_of(states_, &AuditedState::indefinite))
       result.status = ExitStatus::notCertified;
     conclude(result, known);
     result.text += fmt::format("note: {}\n", honestLimit);
@@ -413,13 +415,14 @@ class AuditReport {
     const auto compared =
         std::ranges::count_if(states_, [](const AuditedState& s) { return s.verdict() && !s.indefinite(); });
     const bool all = compared == std::ssize(states_);
-    result.json["conclusion"] = fmt::format(
-        "{}the step came to {:.3g} times the proven one, in {}; {:.6g} s is proven in {}{}", wrong, share,
-        nameOf(*closest), least,
-        all ? "every state" : fmt::format("the {} of {} states that have a proven step", compared, states_.size()),
-        wrong.empty() && all && least > largest
-            ? fmt::format(": the run could have been {:.3g} times shorter", least / largest)
-            : "");
+    result.json["conclusion"] =
+        fmt::format("{}the step came to {:.3g} times the proven one, in {}; {:.6g} s is proven in {}{}", wrong, share,
+                    nameOf(*closest), least,
+                    all ? (every_ > 1 ? fmt::format("the {} states that were looked at", compared) : "every state")
+                        : fmt::format("the {} of {} states that have a proven step", compared, states_.size()),
+                    wrong.empty() && all && every_ == 1 && least > largest
+                        ? fmt::format(": the run could have been {:.3g} times shorter", least / largest)
+                        : "");
   }
 
   void table(std::string& text, bool all) const {
@@ -450,6 +453,7 @@ class AuditReport {
 
   const Body& body_;
   const std::vector<AuditedState>& states_;
+  int every_;
 };
 
 }  // namespace
@@ -466,7 +470,7 @@ std::string junitText(const Json& audit) {
     }
     if (verdict == "violated") faults.emplace_back(stepIsUnstable);
     if (state["inverted"]) faults.emplace_back(elementIsInverted);
-    if (state["indefinite"] && verdict != "-") faults.emplace_back(tangentIsIndefinite);
+    if (state["indefinite"]) faults.emplace_back(tangentIsIndefinite);
     if (verdict == "not-certified" && !state["indefinite"]) faults.emplace_back(stepIsOpen);
     const std::string fault = fmt::format("{}", fmt::join(faults, ", "));
     cases += fmt::format("  <testcase classname=\"ringwatch.audit\" name=\"state {}, {}\"", state["state"].get<int>(),
@@ -578,7 +582,7 @@ AuditResult auditResults(const AuditOptions& options) {
   for (const std::string& note : notes) result.text += fmt::format("  note: {}\n", note);
   result.text += fmt::format("  at rest: safe {:.6g} s, optimistic {:.6g} s\n", rest.safe, rest.optimistic);
   std::vector<AuditEvent> events;
-  AuditReport(body, states).write(result, events, options.all);
+  AuditReport(body, states, options.every).write(result, events, options.all);
   result.json["history"] = std::move(list);
   if (options.page)
     options.page({name, body, integrator, rule, scene.damping, states, events,

@@ -1,6 +1,7 @@
 #include <dlfcn.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <memory>
 #include <sstream>
@@ -50,7 +51,7 @@ std::string deckText(const Mesh& mesh, double young, double poisson, double dens
   return text;
 }
 
-/// A rule that a shell's command tells: of what it prints the last word that is a number.
+/// A rule that a shell's command tells: the last line that it prints is the step.
 StepRuleOfOthers ruleOfCommand(const std::string& command) {
   return [command, folder = std::make_shared<ScratchFolder>()](const Mesh& mesh, double young, double poisson,
                                                                double density) {
@@ -74,17 +75,20 @@ StepRuleOfOthers ruleOfCommand(const std::string& command) {
     replace("{density}", fmt::format("{}", density));
     const ProgramResult result = runProgram({"/bin/sh", "-c", line}, std::filesystem::current_path());
     std::optional<double> step;
-    std::istringstream words(result.output);
-    for (std::string word; words >> word;) {
+    std::istringstream lines(result.output);
+    for (std::string text; std::getline(lines, text);) {
+      if (text.find_first_not_of(" \t\r") == std::string::npos) continue;
       char* end = nullptr;
-      const double value = std::strtod(word.c_str(), &end);
-      if (*end == '\0') step = value;
+      const double value = std::strtod(text.c_str(), &end);
+      step = std::string_view(end).find_first_not_of(" \t\r") == std::string_view::npos && std::isfinite(value)
+                 ? std::optional(value)
+                 : std::nullopt;
     }
     if (result.status != 0 || !step)
       throw InputError(fmt::format(
           "--command: {}: {}", line,
           result.status != 0 ? fmt::format("ended with status {} and said {}", result.status, inQuotes(result.output))
-                             : "printed no number; must print the step, s"));
+                             : "the last line that it prints is no number; must be the step alone, s"));
     return *step;
   };
 }
@@ -127,12 +131,13 @@ struct JudgeCommand final : Command {
   std::string command, library, metric, worst, junit, page;
 
   CLI::App* declare(CLI::App& app) override {
-    CLI::App* judging = app.add_subcommand("judge", "hold somebody's rule for the step to the exact one");
+    CLI::App* judging = app.add_subcommand("judge", "hold a step rule of yours to the exact step");
     judging->add_option("MESH", meshes, "meshes to judge it on: " + readableExtensions())->type_name("MESH");
     CLI::Option_group* rule = judging->add_option_group("rule", "the rule, one of");
-    rule->add_option("--command", command,
-                     "command of a shell that prints the step, s; {mesh} (.msh), {mesh.vtu}, {mesh.inp}, {young}, "
-                     "{poisson} and {density} are put in")
+    rule->add_option(
+            "--command", command,
+            "command of a shell whose last line is the step, s; {mesh} (.msh), {mesh.vtu}, {mesh.inp}, {young}, "
+            "{poisson} and {density} are put in")
         ->type_name("COMMAND");
     rule->add_option("--library", library, "shared library with ringwatch_step_rule(), see docs/studies/atlas.md")
         ->type_name("FILE");
@@ -176,17 +181,17 @@ struct JudgeCommand final : Command {
     std::string text = studyText(found.report) + "\n";
     numbers["conclusion"] = "the rule is nowhere above the exact step";
     if (found.worst) {
-      const WorstCase& case_ = *found.worst;
-      numbers["conclusion"] =
-          fmt::format("the rule is unsafe: {:.3g} times the exact step on {}", case_.given / case_.exact, case_.name);
-      numbers["worst"] = {{"case", case_.name}, {"given", case_.given}, {"exact", case_.exact}};
+      const WorstCase& unsafest = *found.worst;
+      numbers["conclusion"] = fmt::format("the rule is unsafe: {:.3g} times the exact step on {}",
+                                          unsafest.given / unsafest.exact, unsafest.name);
+      numbers["worst"] = {{"case", unsafest.name}, {"given", unsafest.given}, {"exact", unsafest.exact}};
       if (!worst.empty()) {
         makeFolderOfPictures(worst);
         const std::filesystem::path folder = worst;
-        writeMesh(case_.mesh, folder / "worst.msh");
-        writeFileAtomically(folder / "worst.inp",
-                            deckText(case_.mesh, case_.young, case_.poisson, case_.density, case_.given));
-        text += fmt::format("wrote {} and worst.inp: {}\n", (folder / "worst.msh").string(), case_.name);
+        writeMesh(unsafest.mesh, folder / "worst.msh");
+        writeFileAtomically(folder / "worst.inp", deckText(unsafest.mesh, unsafest.young, unsafest.poisson,
+                                                           unsafest.density, unsafest.given));
+        text += fmt::format("wrote {} and worst.inp: {}\n", (folder / "worst.msh").string(), unsafest.name);
       }
     }
     if (!junit.empty()) writeFileAtomically(junit, labelled(junitOfChecks(found.report)));

@@ -470,7 +470,9 @@ constexpr OutputField judging[] = {
     {"studies.*.checks[].expected", "", "1", F::any},
     {"studies.*.checks[].tolerance", "", "difference that is allowed", F::any},
     {"studies.*.checks[].passed", "", "whether it is within", F::boolean},
-    {"worst.case", "", "where the rule is farthest above the exact step; absent where it is nowhere", F::text},
+    {"worst", "", "the case in which the rule is farthest above the exact step; missing where it is in none", F::object,
+     P::sometimes},
+    {"worst.case", "", "which it is", F::text},
     {"worst.given", "s", "what the rule says there"},
     {"worst.exact", "s", "the exact step there"},
 };

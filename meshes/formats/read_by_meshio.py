@@ -482,6 +482,8 @@ def convert(path, kind, folder):
     count = sum(len(data) for _, data in cells)
     if element_ids is None:
         element_ids = np.arange(1, count + 1)
+    if node_ids is None:
+        node_ids = np.arange(1, len(points) + 1)
     if count == 0:
         raise Fault("it has no elements")
     known = meshio._vtk_common.meshio_to_vtk_type.keys() & meshio._mesh.topological_dimension.keys()
@@ -495,8 +497,7 @@ def convert(path, kind, folder):
     # meshio writes names into the XML as they are.
     point_data = {f"set:{escape(name, QUOTE)}": flags for name, flags in groups.of_nodes.items()}
     cell_data = {f"set:{escape(name, QUOTE)}": flags for name, flags in groups.of_cells.items()}
-    if node_ids is not None:
-        point_data["originalNodeId"] = np.asarray(node_ids, dtype=np.int64)
+    point_data["originalNodeId"] = np.asarray(node_ids, dtype=np.int64)
     cell_data["originalElementId"] = np.split(
         np.asarray(element_ids, dtype=np.int64), np.cumsum([len(data) for _, data in cells])[:-1]
     )

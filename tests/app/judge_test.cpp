@@ -31,7 +31,7 @@ TEST_F(Program, JudgesAMetricAndWritesItsWorstCase) {
   for (const char* file : {"bad/worst.msh --young 1e6 --poisson 0.3 --density 1000", "bad/worst.inp"}) {
     const Outcome inspected = call(std::string("inspect ") + file + " --model linear --global --json -");
     ASSERT_EQ(inspected.status, 0) << inspected.err;
-    const Json bracket = parse(inspected.out)["bracket"];
+    const Json bracket = parse(inspected.out)["critical_step"];
     EXPECT_LE(bracket["safe"].get<double>(), exact * (1 + 1e-9)) << file;
     EXPECT_GE(bracket["optimistic"].get<double>(), exact * (1 - 1e-9)) << file;
   }
@@ -45,7 +45,7 @@ TEST_F(Program, JudgesACommandAndALibrary) {
   call("mesh generate bar --size 0.3 0.1 0.1 --cells 3 1 1 --element hex8 -o bar.msh");
   // Edges of 0.1 m: crossed by a pressure wave in 0.1/c.
   const double crossing = 0.1 / std::sqrt(1e6 * 0.7 / (1.3 * 0.4) / 1000);
-  folder_.write("rule.sh", "test -s $1 && echo \"with $2, $3 and $4 the step is\" $5\n");
+  folder_.write("rule.sh", "test -s $1 && echo \"with $2, $3 and $4 the step is\" && echo $5\n");
   const auto command = [&](const char* mesh, double step) {
     return call(std::string("judge bar.msh --json - --command 'sh rule.sh ") + mesh + " {young} {poisson} {density} " +
                 test::digits(step) + "'");
@@ -81,8 +81,9 @@ TEST_F(Program, RefusesARuleThatIsNone) {
   expectRefused("judge bar.msh --metric crossing", "--metric \"crossing\": must be one of");
   expectRefused("judge bar.msh --library none.so", "--library none.so: ");
   expectRefused("judge bar.msh --command false", "--command: false: ended with status 1");
-  expectRefused("judge bar.msh --command 'echo no number'", "printed no number");
-  expectRefused("judge bar.msh --command 'echo -1'", "bar.msh: the rule gives -1 s; must be above 0");
+  expectRefused("judge bar.msh --command 'echo no number'", "no number; must be the step alone");
+  expectRefused("judge bar.msh --command 'echo 1e-3; echo elapsed 0.1 s'", "no number; must be the step alone");
+  expectRefused("judge bar.msh --command 'echo -1'", "bar.msh: the rule gives -1 s; must be above 0 and finite");
   expectRefused("judge none.msh --metric single-element", "none.msh");
   expectRefused("judge --metric single-element --elements hex20", "element \"hex20\": has no shapes to judge by");
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/meshes/generators/generators.h>
 #include <ringwatch/meshes/quality.h>
 
@@ -58,6 +59,38 @@ TEST(Repair, NodesAtOnePlaceAreJoinedOnlyWhereThatIsAskedFor) {
   ASSERT_EQ(joined.mesh.nodeSets.at("face").size(), 1u);
   EXPECT_EQ(joined.mesh.X(0, joined.mesh.nodeSets.at("face")[0]), 1);  // the node that is left
   EXPECT_TRUE(meshNotes(joined.mesh, "m").empty());
+}
+
+// Beside a layer that is thinner than the distance of doubles a node is joined with the nearest one, not with the
+// first.
+TEST(Repair, BlocksBesideAThinLayerKeepTheirShape) {
+  for (const double thickness : {1e-2, 1e-3, 1e-5, 1e-7}) {
+    Mesh all;
+    all.X.resize(3, 24);
+    all.blocks = {{findElementByName("hex8")->type, {}, {}}};
+    const double from[] = {0, 1, 1 + thickness}, size[] = {1, thickness, 1};
+    for (int block = 0; block < 3; ++block) {
+      const Mesh one = generateBar({.size = {size[block], 1, 1}, .cells = {1, 1, 1}, .element = "hex8"});
+      all.X.middleCols(8 * block, 8) = one.X;
+      // The same numbers on both sides of an interface.
+      for (Eigen::Index n = 8 * block; n < 8 * block + 8; ++n)
+        all.X(0, n) = all.X(0, n) > 0 ? (block < 2 ? from[block + 1] : 2 + thickness) : from[block];
+      for (const std::int32_t n : one.blocks[0].connectivity) all.blocks[0].connectivity.push_back(n + 8 * block);
+    }
+    const RepairedMesh joined = repairMesh(all, "m", 0.0);
+    EXPECT_EQ(joined.mesh.nodeCount(), 16u) << thickness;
+    const Mesh& mesh = joined.mesh;
+    ASSERT_EQ(mesh.elementCount(), 3u) << thickness;
+    for (int block = 0; block < 3; ++block) {
+      double low = infinity, high = -infinity;
+      for (int a = 0; a < 8; ++a) {
+        low = std::min(low, mesh.X(0, mesh.blocks[0].element(block)[a]));
+        high = std::max(high, mesh.X(0, mesh.blocks[0].element(block)[a]));
+      }
+      EXPECT_EQ(low, from[block]) << thickness;
+      EXPECT_EQ(high, block < 2 ? from[block + 1] : 2 + thickness) << thickness;
+    }
+  }
 }
 
 TEST(Repair, ElementsThatHaveNoInsideAreLeftOut) {

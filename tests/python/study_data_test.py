@@ -12,7 +12,7 @@ import pytest
 import ringwatch as rw
 from support import BUILD, PROGRAM, call
 
-STUDIES = ("step-rules", "histories")
+STUDIES = ("atlas", "histories")
 # Of the SI with its usual prefixes, %, degrees, and costs of an element.
 UNITS = {"1", "%", "s", "us", "ms", "Hz", "rad/s", "J", "mm", "°", "ns an element", "% of displacement"}
 MISSING = ("", "-")
@@ -46,7 +46,7 @@ def test_the_package_says_what_it_is(made: Any) -> None:
     _, package, _ = made
     assert package["name"] == "ringwatch-verify" and all(study in package["title"] for study in STUDIES)
     assert package["version"] == rw.__version__ and rw.__version__ in package["description"]
-    assert package["licenses"][0]["name"] == "BSD-3-Clause" and "verify step-rules histories" in package["description"]
+    assert package["licenses"][0]["name"] == "BSD-3-Clause" and "verify atlas histories" in package["description"]
 
 
 def test_every_table_is_there_cell_by_cell(made: Any) -> None:

@@ -172,7 +172,7 @@ def test_judges_a_rule_of_python() -> None:
     assert rw.judge(lambda *_: 1e-9, shapes=1, elements=["hex8"], histories=True).passed
     bad: Any
     for bad, said in ((5, "rule: an object of type int"), (lambda *_: "now", "rule: returned an object of type str"),
-                      (lambda *_: -1.0, "the rule gives -1 s; must be above 0")):
+                      (lambda *_: -1.0, "the rule gives -1 s; must be above 0 and finite")):
         with pytest.raises(rw.InputError, match=said):
             rw.judge(bad)
     with pytest.raises(rw.InputError, match="shapes = -1"):

@@ -100,7 +100,7 @@ TEST(Judge, RefusesWhatItCannotJudge) {
   JudgeOptions quadratic;
   quadratic.elements = {"hex20"};
   EXPECT_THROW(judgeRule(one, quadratic), InputError);
-  for (const double given : {0.0, -1.0, std::nan("")})
+  for (const double given : {0.0, -1.0, std::nan(""), HUGE_VAL})
     EXPECT_THROW(judgeRule([given](const Mesh&, double, double, double) { return given; }, {}), InputError) << given;
 }
 

@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include <ringwatch/base/error.h>
 #include <ringwatch/meshes/generators/generators.h>
 #include <ringwatch/meshes/quality.h>
 #include <ringwatch/verify/remeshing/mesh_programs.h>

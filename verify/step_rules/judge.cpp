@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/infinity.h>
 #include <ringwatch/integrators/body_system.h>
 #include <ringwatch/integrators/symplectic_euler.h>
 #include <ringwatch/monitor/bounds/global_frequency.h>
@@ -33,7 +34,8 @@ class Judge {
     Mesh mesh = body.mesh();
     mesh.X = x;
     const double given = rule_(mesh, young, poisson, density);
-    if (!(given > 0)) throw InputError(joinText(name, ": the rule gives ", given, " s; must be above 0"));
+    if (!(given > 0) || given == infinity)
+      throw InputError(joinText(name, ": the rule gives ", given, " s; must be above 0 and finite"));
     const double ratio = given / exact;
     ++cases_;
     if (ratio > 1 + ofStep)

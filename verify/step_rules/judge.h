@@ -10,7 +10,7 @@
 
 namespace ringwatch {
 
-/// The step, s, of central differences that somebody's rule gives for a mesh as it is now, free and of one elastic
+/// The step, s, of central differences that another's rule gives for a mesh as it is now, free and of one elastic
 /// material: young in Pa, density in kg/m³.
 using StepRuleOfOthers = std::function<double(const Mesh& mesh, double young, double poisson, double density)>;
 
