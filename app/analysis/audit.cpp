@@ -418,7 +418,7 @@ class AuditReport {
     result.json["conclusion"] =
         fmt::format("{}the step came to {:.3g} times the proven one, in {}; {:.6g} s is proven in {}{}", wrong, share,
                     nameOf(*closest), least,
-                    all ? (every_ > 1 ? fmt::format("the {} states that were looked at", compared) : "every state")
+                    all ? (every_ > 1 ? fmt::format("the {} states that were examined", compared) : "every state")
                         : fmt::format("the {} of {} states that have a proven step", compared, states_.size()),
                     wrong.empty() && all && every_ == 1 && least > largest
                         ? fmt::format(": the run could have been {:.3g} times shorter", least / largest)
