@@ -12,6 +12,7 @@
 #include <ringwatch/app/scene/integrator_catalog.h>
 #include <ringwatch/base/atomic_file.h>
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/leftovers.h>
 #include <ringwatch/base/markup.h>
 #include <ringwatch/base/subprocess.h>
 #include <ringwatch/base/user_text.h>
@@ -271,7 +272,11 @@ std::vector<std::string> drawFigures(const StudyReport& report, const std::files
   const auto draw = [&](const std::string& name, const std::string& data, const std::string& script) {
     writeFileAtomically(folder / (name + ".dat"), data);
     writeFileAtomically(folder / (name + ".gp"), script);
-    const ProgramResult result = runProgram({"gnuplot", name + ".gp"}, folder);
+    ProgramResult result;
+    {
+      const Leftover unfinished(folder / (name + ".png"));
+      result = runProgram({"gnuplot", name + ".gp"}, folder);
+    }
     if (!result.found)
       notes.push_back(
           fmt::format("no picture {}.png: gnuplot is not installed (Debian: gnuplot-nox); its script is in {}", name,

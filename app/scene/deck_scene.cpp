@@ -522,10 +522,10 @@ class DeckReader : DeckWriter {
                               lines_.where(keyword_.position), keyword_.name));
     scene_.sections["handler"] = Json{{"method", "mass-scaling"}, {"step", number("DT")}};
     scene_.origins["handler"] = lines_.where(keyword_.position);
-    note(
-        fmt::format("{}: *{}, DT: mass is added where the proof of the whole body needs it, which is less than each "
-                    "element's own step asks for; *FIXED MASS SCALING adds that, and goes with more",
-                    lines_.where(keyword_.position), keyword_.name));
+    note(fmt::format(
+        "{}: *{}, DT: mass is added where the proof of the whole body needs it; *FIXED MASS SCALING adds what "
+        "each element's own step asks for, and goes with more",
+        lines_.where(keyword_.position), keyword_.name));
   }
   /// *FIXED MASS SCALING, DT: point masses by the elements' own steps at rest.
   void writeScaledMass() {

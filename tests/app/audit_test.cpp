@@ -89,6 +89,11 @@ TEST_F(Audits, CertifyNoStepOfAnIndefiniteTangent) {
   EXPECT_THAT(out, HasSubstr("conclusion: the tangent is indefinite in 1 of 2 states; the step came to "));
   EXPECT_THAT(out, HasSubstr(" s is proven in the 1 of 2 states that have a proven step\n"));
   EXPECT_THAT(folder_.read("junit.xml"), HasSubstr("<failure message=\"the tangent is indefinite: step 1e-06 s\"/>"));
+  // Nor where the results do not tell the step; and of states that are left out nothing is said.
+  audit("a1.vtk --junit junit.xml" + std::string(test::material), 3);
+  EXPECT_THAT(folder_.read("junit.xml"), HasSubstr("<failure message=\"the tangent is indefinite"));
+  const std::string some = call("audit " + arguments + " --every 2").out;
+  EXPECT_THAT(some, HasSubstr(" s is proven in the 1 states that were examined\n"));
 }
 
 // A StVK tetrahedron that is stretched to λ in all directions has the tangent of rest times about (3 λ² - 1)/2 and

@@ -77,7 +77,7 @@ double ringwatch_step_rule(int nodes, const double* points, int elements, int n,
 
 TEST_F(Program, RefusesARuleThatIsNone) {
   call("mesh generate bar --size 0.3 0.1 0.1 --cells 3 1 1 --element hex8 -o bar.msh");
-  expectRefused("judge bar.msh", "rule");
+  expectRefused("judge bar.msh", "Exactly 1 option from [--command,--library,--metric] is required");
   expectRefused("judge bar.msh --metric crossing", "--metric \"crossing\": must be one of");
   expectRefused("judge bar.msh --library none.so", "--library none.so: ");
   expectRefused("judge bar.msh --command false", "--command: false: ended with status 1");
