@@ -102,18 +102,24 @@ Shapes shapesOf(const ShapeFamily& family, double poisson, int count, std::uint6
   return {Body(std::move(mesh), makeMaterial(law, youngOfShapes, poisson, densityOfShapes), options), std::move(x)};
 }
 
-Tallies tallyBatch(const ShapeFamily& family, const std::vector<ForeignRule>& rules, double poisson,
-                   std::uint64_t seed) {
+std::vector<double> factorsOf(const std::vector<ForeignRule>& rules, double poisson) {
+  std::vector<double> factors;
+  for (const ForeignRule& rule : rules) factors.push_back(detail::factorOf(rule, poisson));
+  return factors;
+}
+
+/// factors: of the rules, by factorsOf().
+Tallies tallyBatch(const ShapeFamily& family, const std::vector<ForeignRule>& rules, const std::vector<double>& factors,
+                   double poisson, std::uint64_t seed) {
   const Shapes shapes = shapesOf(family, poisson, shapesOfBatch, seed);
   const std::vector<double> exact = singleElement(shapes.body, shapes.x)[0];
   const int n = shapes.body.blocks()[0]->element().nodes;
   Tallies tallies(rules.size());
   for (std::size_t r = 0; r < rules.size(); ++r) {
     const MetricValues found = evaluateMetric(rules[r].metric, shapes.body, shapes.x).elementLambda;
-    const double factor = rules[r].factor ? rules[r].factor(poisson) : 1;
     for (std::size_t e = 0; e < exact.size(); ++e)
       if (exact[e] > 0)
-        tallies[r].add(factor * std::sqrt(exact[e] / found[0][e]),
+        tallies[r].add(factors[r] * std::sqrt(exact[e] / found[0][e]),
                        [&] { return cornersText(shapes.x.middleCols(static_cast<Eigen::Index>(e) * n, n)); });
   }
   return tallies;
@@ -309,6 +315,7 @@ void addMaps(StudyReport& report, const std::vector<ForeignRule>& rules) {
            for (const double length : planeLengths(shape)) values.push_back(length / material.waveSpeed() / exact);
            return values;
          });
+  const std::vector<double> factors = factorsOf(rules, poisson);
   std::vector<std::string> names;
   for (const ForeignRule& rule : rules) names.emplace_back(rule.column);
   addMap(report, "atlas-tetrahedra",
@@ -323,9 +330,8 @@ void addMaps(StudyReport& report, const std::vector<ForeignRule>& rules) {
            const Body body(mesh, material, onOneThread());
            const double exact = singleElement(body, mesh.X)[0][0];
            std::vector<double> values;
-           for (const ForeignRule& rule : rules)
-             values.push_back(detail::stepOf(rule, evaluateMetric(rule.metric, body, mesh.X).lambda, poisson) /
-                              stepFor(exact, verletLimit));
+           for (std::size_t r = 0; r < rules.size(); ++r)
+             values.push_back(factors[r] * std::sqrt(exact / evaluateMetric(rules[r].metric, body, mesh.X).lambda));
            return values;
          });
 }
@@ -336,13 +342,15 @@ StudyReport verifyAtlas(StudyEffort effort) {
   StudyReport report{"atlas", {}, {}, {}};
   const std::vector<ForeignRule> rules = rulesOfShapes();
   const int batches = batchesOf(effort);
+  std::vector<std::vector<double>> factors;  // [ratio][rule]
+  for (const double poisson : ratios) factors.push_back(factorsOf(rules, poisson));
   std::vector<Row> solids, plane;
   for (const ShapeFamily& family : shapeFamilies()) {
     Row& row = solids.emplace_back(Row{std::string(family.name), {}, {}});
     for (const ForeignRule& rule : rules) row.rules.emplace_back(rule.column);
     for (std::size_t k = 0; k < ratios.size(); ++k)
       row.byRatio.push_back(sumOfBatches(rules.size(), batches, [&](std::int64_t i) {
-        return tallyBatch(family, rules, ratios[k], static_cast<std::uint64_t>(i) * ratios.size() + k + 1);
+        return tallyBatch(family, rules, factors[k], ratios[k], static_cast<std::uint64_t>(i) * ratios.size() + k + 1);
       }));
     checkFamily(report, family);
   }

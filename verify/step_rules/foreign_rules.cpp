@@ -36,8 +36,4 @@ constexpr ForeignRule rules[] = {
 
 std::span<const ForeignRule> foreignRules() { return rules; }
 
-double stepOf(const ForeignRule& rule, double lambda, double poisson) {
-  return (rule.factor ? rule.factor(poisson) : 1) * stepFor(lambda, verletLimit);
-}
-
 }  // namespace ringwatch::detail

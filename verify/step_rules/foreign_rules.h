@@ -19,7 +19,7 @@ struct ForeignRule {
 /// fenics-constitutive does, a cube of that size.
 std::span<const ForeignRule> foreignRules();
 
-/// The step of a rule at one element of frequency² lambda, rad²/s², by its metric, s.
-double stepOf(const ForeignRule& rule, double lambda, double poisson);
+/// What a rule multiplies the step of its metric by.
+inline double factorOf(const ForeignRule& rule, double poisson) { return rule.factor ? rule.factor(poisson) : 1; }
 
 }  // namespace ringwatch::detail

@@ -9,6 +9,7 @@
 #include <ringwatch/meshes/generators/generators.h>
 #include <ringwatch/monitor/bounds/global_frequency.h>
 #include <ringwatch/monitor/critical_step.h>
+#include <ringwatch/monitor/step_limit.h>
 #include <ringwatch/verify/step_rules/atlas.h>
 #include <ringwatch/verify/step_rules/foreign_rules.h>
 #include <ringwatch/verify/study_bodies.h>
@@ -115,7 +116,8 @@ void addRulesOnMeshes(StudyReport& report) {
     row.emplace_back(one.name);
     row.emplace_back(rounded(1e6 * exact));
     for (std::size_t r = 0; r < rules.size(); ++r) {
-      const double share = stepOf(rules[r], evaluateMetric(rules[r].metric, body, X).lambda, one.poisson) / exact;
+      const double share = factorOf(rules[r], one.poisson) *
+                           stepFor(evaluateMetric(rules[r].metric, body, X).lambda, verletLimit) / exact;
       row.emplace_back(rounded(share));
       worst[r].unsafe += share > 1 + ofTheReference ? 1 : 0;
       if (share > worst[r].most) {
