@@ -8,15 +8,15 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
-#include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/base/parallel.h>
 #include <ringwatch/monitor/critical_step.h>
 #include <ringwatch/monitor/metrics/element_metrics.h>
 #include <ringwatch/monitor/tangent_bracket.h>
+#include <ringwatch/verify/matrix_eigenvalues.h>
 #include <ringwatch/verify/step_rules/foreign_rules.h>
 #include <ringwatch/verify/step_rules/shapes.h>
 #include <ringwatch/verify/study_bodies.h>
@@ -123,15 +123,6 @@ Tallies tallyBatch(const ShapeFamily& family, const std::vector<ForeignRule>& ru
                        [&] { return cornersText(shapes.x.middleCols(static_cast<Eigen::Index>(e) * n, n)); });
   }
   return tallies;
-}
-
-/// The highest eigenvalue of M^-½ K M^-½, by Eigen; mass: of the nodes, kg, whose components come together in K, N/m.
-double denseEigenvalue(const Eigen::MatrixXd& K, const Eigen::VectorXd& mass) {
-  const Eigen::Index components = K.rows() / mass.size();
-  Eigen::VectorXd root(K.rows());
-  for (Eigen::Index i = 0; i < root.size(); ++i) root[i] = 1 / std::sqrt(mass[i / components]);
-  const Eigen::MatrixXd J = root.asDiagonal() * K * root.asDiagonal();
-  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(J).eigenvalues().maxCoeff();
 }
 
 /// Holds the exact steps of some shapes of a family to dense eigenvalues, and the proven bracket of each to its own.
