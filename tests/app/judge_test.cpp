@@ -66,10 +66,10 @@ TEST_F(JudgesWorst, ShapesAreReproduced) {
     EXPECT_GT(worst["given"], exact) << element;
     EXPECT_NEAR(inspected(worst["inspect"]), exact, ofRounding * exact) << element;
     EXPECT_EQ(std::filesystem::exists(folder_.path() / "bad/worst.inp"), deckRule != nullptr) << element;
-    if (deckRule)
-      EXPECT_NEAR(inspected(std::string("ringwatch inspect bad/worst.inp --model linear --global") + deckRule), exact,
-                  ofRounding * exact)
-          << element;
+    if (!deckRule) continue;
+    EXPECT_NEAR(inspected(std::string("ringwatch inspect bad/worst.inp --model linear --global") + deckRule), exact,
+                ofRounding * exact)
+        << element;
   }
 }
 
