@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Holds the tables of docs/studies/ to the data beside them: a comment <!-- FILE.csv --> stands before each table, whose header has
-names of columns, and every row is that of the file with the same first cell, numbers rounded. A number in the text with such a comment
-behind it is one of the file.
+names of columns, and every row is that of the file with the same first cell, numbers rounded. A number in the text of a PAGE.md with a
+comment <!-- TABLE --> behind it is one of PAGE.TABLE.csv.
 
 usage: studies_test.py SOURCE_DIR
 """
@@ -35,10 +35,11 @@ def rows_of(file):
 def faults_of(page, text, folder):
     """Faults of a page, and how many rows and numbers of the text it has."""
     faults, rows = [], 0
-    for match in re.finditer(r"(\d[\d.]*)(?: %)?<!-- (\S+\.csv) -->", text):
+    for match in re.finditer(r"(\d[\d.]*)(?: %)?<!-- ([\w-]+) -->", text):
         rows += 1
-        if not any(rounded_alike(match[1], cell) for row in rows_of(folder / match[2]) for cell in row.values()):
-            faults.append(f"{page}: {match[2]} has no {match[1]}")
+        file = f"{pathlib.Path(page).stem}.{match[2]}.csv"
+        if not any(rounded_alike(match[1], cell) for row in rows_of(folder / file) for cell in row.values()):
+            faults.append(f"{page}: {file} has no {match[1]}")
     for match in re.finditer(r"<!-- (\S+\.csv) -->\n((?:\|.*\n)+)", text):
         data = rows_of(folder / match[1])
         header, _, *lines = ([cell.strip() for cell in line.strip("|\n").split("|")] for line in match[2].splitlines())

@@ -26,8 +26,8 @@
 #include <ringwatch/monitor/tangent_bracket.h>
 #include <ringwatch/verify/bisection.h>
 #include <ringwatch/verify/matrix_eigenvalues.h>
+#include <ringwatch/verify/plane_element.h>
 #include <ringwatch/verify/static_solver.h>
-#include <ringwatch/verify/step_rules/shapes.h>
 #include <ringwatch/verify/study_bodies.h>
 
 namespace ringwatch {
@@ -39,7 +39,7 @@ using detail::highestEigenvalue, detail::verletLimit, std::numbers::pi;
 constexpr double ofRounding = 1e-9, lanczosTolerance = 1e-12;
 
 /// The source of what the study's page derives.
-constexpr const char* closedForm = "closed form, docs/studies/literature.md";
+constexpr const char* closedForm = "closed form, docs/studies";
 
 struct Solid {
   double young, poisson, density;  // Pa, 1, kg/m³
@@ -289,7 +289,7 @@ void studyDistorted(std::vector<Step>& steps) {
     return PlaneShape{3, (Corners() << -0.5, 0.5, 0, 0, 0, 0, height, 0).finished()};
   };
   add("equilateral triangle", "h / (3 (c_p^2 - c_s^2))^(1/2)", 12 * (p - s), isosceles(std::sqrt(0.75)));
-  const char* const printed = "omega^2 = n/rho max eig(C S)";
+  const char* const printed = "omega^2 of C S n/rho";
   for (const double height : {0.5, 0.1, 10.0})
     add(joinText("isosceles triangle, height over base ", height), printed,
         ofConstantStrain(3, 2, 1.5 / (height * height)), isosceles(height));

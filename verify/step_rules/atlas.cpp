@@ -89,11 +89,11 @@ BodyOptions onOneThread() {
 }
 
 /// Some shapes of a family as a body, and where they are.
-struct Shapes {
+struct DrawnShapes {
   Body body;
   NodeVectors x;
 };
-Shapes shapesOf(const ShapeFamily& family, double poisson, int count, std::uint64_t seed) {
+DrawnShapes shapesOf(const ShapeFamily& family, double poisson, int count, std::uint64_t seed) {
   BodyOptions options = onOneThread();
   if (!family.rule.empty()) options.rules.emplace(family.element, family.rule);
   Mesh mesh = meshOfShapes(family, count, seed);
@@ -111,7 +111,7 @@ std::vector<double> factorsOf(const std::vector<ForeignRule>& rules, double pois
 /// factors: of the rules, by factorsOf().
 Tallies tallyBatch(const ShapeFamily& family, const std::vector<ForeignRule>& rules, const std::vector<double>& factors,
                    double poisson, std::uint64_t seed) {
-  const Shapes shapes = shapesOf(family, poisson, shapesOfBatch, seed);
+  const DrawnShapes shapes = shapesOf(family, poisson, shapesOfBatch, seed);
   const std::vector<double> exact = singleElement(shapes.body, shapes.x)[0];
   const int n = shapes.body.blocks()[0]->element().nodes;
   Tallies tallies(rules.size());
@@ -131,7 +131,7 @@ void checkFamily(StudyReport& report, const ShapeFamily& family) {
   constexpr double poisson = 0.3, ofEigenvalue = 1e-8;
   double apart = 0, unsafe = 0, unproven = 0;
   for (std::uint64_t seed = 0; seed < checked; ++seed) {
-    const Shapes one = shapesOf(family, poisson, 1, seed);
+    const DrawnShapes one = shapesOf(family, poisson, 1, seed);
     const double dense = denseEigenvalue(one.body.assembleTangent(one.x), one.body.lumpedMass()),
                  step = stepFor(dense, verletLimit);
     apart = std::max(apart, std::abs(singleElement(one.body, one.x)[0][0] / dense - 1));
