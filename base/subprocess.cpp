@@ -12,7 +12,8 @@ extern char** environ;
 
 namespace ringwatch {
 
-ProgramResult runProgram(const std::vector<std::string>& command, const std::filesystem::path& folder) {
+ProgramResult runProgram(const std::vector<std::string>& command, const std::filesystem::path& folder,
+                         const std::filesystem::path& standardOutput) {
   constexpr std::size_t kept = 4000;
   ProgramResult result;
   int ends[2];
@@ -21,7 +22,11 @@ ProgramResult runProgram(const std::vector<std::string>& command, const std::fil
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
+  constexpr int newFile = O_WRONLY | O_CREAT | O_TRUNC, ownersAlone = 0600;
+  if (standardOutput.empty())
+    posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
+  else
+    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, standardOutput.c_str(), newFile, ownersAlone);
   posix_spawn_file_actions_adddup2(&actions, ends[1], STDERR_FILENO);
   posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
   std::vector<char*> arguments;

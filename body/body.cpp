@@ -215,23 +215,6 @@ void Body::addElementDampingForce(NodeVectorsView x, NodeVectorsView v, NodeVect
   f += workspace.damping;
 }
 
-double Body::elementDampingPower(NodeVectorsView x, NodeVectorsView v, Workspace& workspace) const {
-  if (!damping_) return 0;
-  workspace.powers.resize(patches().size());
-  parallelFor(0, patches().size(), threads(), [&](std::int64_t i) {
-    const PatchRef& ref = patches()[i];
-    const DampedBlock* block = damping_->blocks()[ref.block];
-    workspace.powers[i] = 0;
-    if (!block) return;
-    alignas(64) double rows[4 * PatchLayout::maxPatchNodes], vRows[4 * PatchLayout::maxPatchNodes];
-    const Patch& patch = block->layout().patches[ref.patch];
-    block->gatherRows(patch, x.data(), rows);
-    block->gatherRows(patch, v.data(), vRows);
-    workspace.powers[i] = block->addForce(patch, rows, vRows, nullptr);
-  });
-  return sumOf(workspace.powers);
-}
-
 void Body::followDampingRates(NodeVectorsView x, NodeVectorsView v) {
   if (!damping_ || !damping_->dependsOnRates()) return;
   parallelFor(0, patches().size(), threads(), [&](std::int64_t i) {
@@ -357,7 +340,6 @@ void Body::pass(NodeVectorsView x, PatchVisitor* visitor, Wanted wanted, Workspa
   const bool damps = damping_ && force && wanted.velocities;
   if (force) workspace.slots.resize(4 * slotCount());
   if (energy) workspace.energies.resize(patches().size());
-  if (damps) workspace.powers.resize(patches().size());
   const auto passPatch = [&, this](std::int64_t p) {
     const PatchRef& ref = patches()[p];
     const std::size_t blockIndex = ref.block;
@@ -368,14 +350,13 @@ void Body::pass(NodeVectorsView x, PatchVisitor* visitor, Wanted wanted, Workspa
       all.slots = workspace.slots.data() + 4 * ref.firstSlot;
       std::fill(all.slots, all.slots + 4 * static_cast<std::ptrdiff_t>(patch.nodeEnd - patch.nodeBegin), 0.0);
     }
-    alignas(64) double energies[lanes] = {}, powers[lanes] = {};
+    alignas(64) double energies[lanes] = {};
     alignas(64) double rows[4 * PatchLayout::maxPatchNodes], vRows[4 * PatchLayout::maxPatchNodes];
     block.gatherRows(patch, x.data(), rows);
     if (wanted.energy) all.energy = energies;
     if (damps && damping_->blocks()[blockIndex]) {
       block.gatherRows(patch, wanted.velocities->data(), vRows);
       all.velocities = vRows;
-      all.dampingPower = powers;
     }
     const PatchPass own(block, ref.patch, rows, all);
     if (visitor)
@@ -383,13 +364,11 @@ void Body::pass(NodeVectorsView x, PatchVisitor* visitor, Wanted wanted, Workspa
     else
       own.run();
     if (wanted.energy) workspace.energies[p] = sumOf(energies);
-    if (damps) workspace.powers[p] = sumOf(powers);
   };
   passAll(wanted.arrival, passPatch);
   const DiscreteForces* discrete = discreteForces();
   if (force) sumSlots(*force, workspace.slots.data(), discrete ? nullptr : visit);
   if (energy) *energy = sumOf(workspace.energies);
-  if (wanted.dampingPower) *wanted.dampingPower = damps ? sumOf(workspace.powers) : 0;
   if (!discrete) return;
   if (energy) *energy += discrete->energy(x);
   if (!force) return;
@@ -401,8 +380,7 @@ void Body::evaluate(NodeVectorsView x, StepEvaluation& evaluation, Workspace& wo
   const auto begin = std::chrono::steady_clock::now();
   pass(x, evaluation.visitor,
        {evaluation.wantsForce ? &evaluation.internalForce : nullptr,
-        evaluation.wantsEnergy ? &evaluation.strainEnergy : nullptr, evaluation.velocities, &evaluation.dampingPower,
-        evaluation.arrival},
+        evaluation.wantsEnergy ? &evaluation.strainEnergy : nullptr, evaluation.velocities, evaluation.arrival},
        workspace, nullptr);
   evaluation.wallTime = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }

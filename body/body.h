@@ -78,7 +78,6 @@ struct StepEvaluation {
   const NodeVectors* velocities = nullptr;
   NodeArrival* arrival = nullptr;  ///< completes the positions while the pass runs
   NodeVectors internalForce;       ///< ∂(strain energy)/∂x, 3×N, N
-  double dampingPower = 0;         ///< W, that the damping in internalForce takes
   double strainEnergy = 0;         ///< J, of elements and discrete forces
   double wallTime = 0;             ///< s, of the pass
 };
@@ -89,8 +88,8 @@ struct StepEvaluation {
 class Body : public TangentSource {
  public:
   struct Workspace : TangentSource::Workspace {
-    std::vector<double> energies, powers;  // of the patches, J and W
-    NodeVectors damping;                   // N
+    std::vector<double> energies;  // of the patches, J
+    NodeVectors damping;           // N
   };
 
   /// Throws InputError for an unknown rule, NumericalError for an element whose volume or nodal mass is not positive or
@@ -132,8 +131,6 @@ class Body : public TangentSource {
   /// Adds the elements' damping forces at x and v (3×N, m and m/s) to f, 3×N, N: what resists the motion. In parallel,
   /// with the same bits for any number of threads.
   void addElementDampingForce(NodeVectorsView x, NodeVectorsView v, NodeVectors& f, Workspace& workspace) const;
-  /// The power that this force takes, W, alone.
-  double elementDampingPower(NodeVectorsView x, NodeVectorsView v, Workspace& workspace) const;
   /// Lets the coefficients of damping that depends on velocities count what x and v need (DampedBlock::follow).
   void followDampingRates(NodeVectorsView x, NodeVectorsView v);
 
@@ -178,7 +175,6 @@ class Body : public TangentSource {
     NodeVectors* force = nullptr;
     double* energy = nullptr;
     const NodeVectors* velocities = nullptr;
-    double* dampingPower = nullptr;
     NodeArrival* arrival = nullptr;
   };
   /// Calls passPatch for all patches, in parallel.

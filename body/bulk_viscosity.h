@@ -20,17 +20,14 @@ struct BulkViscosity {
   double slowness;           ///< 1/c, s/m
   double linear, quadratic;  ///< b₁, b₂²
   const double* velocities;  ///< rows of the patch
-  double* power;             ///< W, is added lane by lane: power[lanes]
 
-  /// s of the forces s ∂V/∂x, by the volume V, m³, and its rate, m³/s; adds their power s V̇.
+  /// s of the forces s ∂V/∂x, by the volume V, m³, and its rate, m³/s.
   RINGWATCH_INLINE P factor(std::int32_t batch, const P& volume, const P& volumeRate) const {
     const P* own = sizes + static_cast<std::ptrdiff_t>(batch) * sizeCount;
     const P inverse = P(1.0) / math::max(volume, P(leastVolumeShare) * own[0]);
     const P rate = volumeRate * inverse;
     const P coefficient = P(linear) + P(quadratic * slowness) * own[1] * math::max(-rate, P(0.0));
-    const P s = P(impedance) * own[0] * own[1] * inverse * rate * coefficient;
-    (P::load(power) + s * volumeRate).store(power);
-    return s;
+    return P(impedance) * own[0] * own[1] * inverse * rate * coefficient;
   }
 
   /// What is added to the natural stress T of a linear tetrahedron, whose force on node j + 1 is column j of T: with D

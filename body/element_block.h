@@ -40,7 +40,6 @@ struct BatchEvaluation {
   const BatchMotion* motion = nullptr;  ///< the same of the reference states of groups
   /// Rows of the velocities, of a block whose elements damp: their damping force is added to the internal force.
   const double* velocities = nullptr;
-  double* dampingPower = nullptr;       ///< with velocities: of that force, W, is added lane by lane: power[lanes]
   const BulkViscosity* bulk = nullptr;  ///< of blocks that addBulkViscosity, is added to the internal force
 };
 

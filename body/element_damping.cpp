@@ -78,13 +78,12 @@ RINGWATCH_INLINE P bulkFactorOf(const P* sizes, const P& impedance, const P& vol
 }
 
 /// Bulk viscosity alone of tetrahedra and hexahedra: the number of nodes is known, and velocities and forces stay in
-/// registers. coefficient(rate, length, batch). Returns the power, W.
+/// registers. coefficient(rate, length, batch).
 template <int n, class Coefficient>
-RINGWATCH_INLINE P addBulkAlone(std::int32_t first, std::int32_t last, const std::uint16_t* localNodes, const P* sizes,
-                                double strength, const double* rows, const double* vRows, double* slots,
-                                const Coefficient& coefficient) {
+RINGWATCH_INLINE void addBulkAlone(std::int32_t first, std::int32_t last, const std::uint16_t* localNodes,
+                                   const P* sizes, double strength, const double* rows, const double* vRows,
+                                   double* slots, const Coefficient& coefficient) {
   const P impedance(strength);
-  P power(0.0);
   for (std::int32_t batch = first; batch < last; ++batch) {
     const std::uint16_t* local = localNodes + static_cast<std::ptrdiff_t>(batch) * n * lanes;
     P x[n][3], w[n][3], volume, rate(0.0), v0[3], v[3];
@@ -105,15 +104,12 @@ RINGWATCH_INLINE P addBulkAlone(std::int32_t first, std::int32_t last, const std
     const P* own = sizes + static_cast<std::ptrdiff_t>(batch) * sizeCount;
     const P s = bulkFactorOf(own, impedance, volume, rate,
                              [&](const P& relative) { return coefficient(relative, own[1], batch); });
-    power += s * rate;
-    if (!slots) continue;
     RINGWATCH_UNROLL
     for (int a = 0; a < n; ++a) {
       const P force[3] = {s * w[a][0], s * w[a][1], s * w[a][2]};
       addRows(slots, local + a * lanes, force);
     }
   }
-  return power;
 }
 
 }  // namespace
@@ -272,12 +268,10 @@ void DampedBlock::volumeGradient(std::int32_t batch, const double* x, double* vo
     for (int i = 0; i < 3; ++i) w[a][i].store(gradient + (3 * a + i) * lanes);
 }
 
-/// coefficient(sizes, rate, place): of the bulk viscosity, by ε̇ and the first place of the batch. slots: nullptr for
-/// the power alone.
+/// coefficient(sizes, rate, place): of the bulk viscosity, by ε̇ and the first place of the batch.
 template <bool simplex, class Coefficient>
-DampedBlock::P DampedBlock::add(std::int32_t first, std::int32_t last, const double* rows, const double* vRows,
-                                double factor, double* slots, Parts parts, const Coefficient& coefficient) const {
-  P power(0.0);
+void DampedBlock::add(std::int32_t first, std::int32_t last, const double* rows, const double* vRows, double factor,
+                      double* slots, Parts parts, const Coefficient& coefficient) const {
   constexpr int most = simplex ? 4 : maxElementNodes;
   const int n = simplex ? 4 : nodesPerElement();
   const double speed = material().waveSpeed(), impedance = material().density * speed, slowness = 1 / speed;
@@ -285,14 +279,12 @@ DampedBlock::P DampedBlock::add(std::int32_t first, std::int32_t last, const dou
              byMass = constants_.massProportional > 0;
   const P eta(factor * constants_.shearViscosity),
       lambda(factor * (constants_.volumeViscosity - 2.0 / 3 * constants_.shearViscosity));
-  // F S at a point of this weight; its power is added.
-  const auto viscousStress = [&](const Matrix3<P>& F, const Matrix3<P>& dF, const P& weight) {
+  const auto viscousStress = [&](const Matrix3<P>& F, const Matrix3<P>& dF) {  // F S
     const Matrix3<P> half = transposeTimes(F, dF);
     // 2 η Ė = η (FᵀḞ + ḞᵀF), λ tr(Ė) = λ tr(FᵀḞ).
     Matrix3<P> S = eta * (half + transpose(half));
     const P mean = lambda * trace(half);
     for (int i = 0; i < 3; ++i) S(i, i) += mean;
-    power += weight * innerProduct(S, half);
     return F * S;
   };
   for (std::int32_t batch = first; batch < last; ++batch) {
@@ -309,10 +301,7 @@ DampedBlock::P DampedBlock::add(std::int32_t first, std::int32_t last, const dou
       const P* masses = masses_.data() + static_cast<std::ptrdiff_t>(batch) * n;
       const P alpha(factor * constants_.massProportional);
       for (int a = 0; a < n; ++a)
-        for (int i = 0; i < 3; ++i) {
-          force[a][i] = alpha * masses[a] * v[a][i];
-          power += force[a][i] * v[a][i];
-        }
+        for (int i = 0; i < 3; ++i) force[a][i] = alpha * masses[a] * v[a][i];
     }
     subtractFirst(n, v);
     if constexpr (!simplex)
@@ -324,7 +313,6 @@ DampedBlock::P DampedBlock::add(std::int32_t first, std::int32_t last, const dou
             P rate(0.0);
             for (int a = 1; a < n; ++a) rate += gamma[a] * v[a][i];
             const P own = c * rate;
-            power += own * rate;
             for (int a = 0; a < n; ++a) force[a][i] += gamma[a] * own;
           }
       }
@@ -337,7 +325,6 @@ DampedBlock::P DampedBlock::add(std::int32_t first, std::int32_t last, const dou
       const P s = bulkFactorOf(sizes, P(factor * impedance), volume, rate, [&](const P& relative) {
         return coefficient(P(slowness) * sizes[1], relative, static_cast<std::size_t>(batch) * lanes);
       });
-      power += s * rate;
       for (int a = 0; a < n; ++a)
         for (int i = 0; i < 3; ++i) force[a][i] += s * w[a][i];
     }
@@ -345,7 +332,7 @@ DampedBlock::P DampedBlock::add(std::int32_t first, std::int32_t last, const dou
       const Mean& at = *meanOf(batch);
       const Matrix3<P> F = meanDeformation(at, x);
       P stressed[most][3];
-      meanForces(at, viscousStress(F, meanDeformation(at, v), at.volume), stressed);
+      meanForces(at, viscousStress(F, meanDeformation(at, v)), stressed);
       for (int a = 0; a < n; ++a)
         for (int i = 0; i < 3; ++i) force[a][i] += stressed[a][i];
     } else if (viscous) {
@@ -355,22 +342,20 @@ DampedBlock::P DampedBlock::add(std::int32_t first, std::int32_t last, const dou
         for (int i = 0; i < 9; ++i) J1.m[i] = point[i];
         const Matrix3<P> F = naturalGradient(n, x, shapeTable(q, 0)) * J1,
                          dF = naturalGradient(n, v, shapeTable(q, 0)) * J1;
-        const Matrix3<P> T = timesTranspose(point[9] * viscousStress(F, dF, point[9]), J1);
+        const Matrix3<P> T = timesTranspose(point[9] * viscousStress(F, dF), J1);
         for (int a = 0; a < n; ++a) {
           const double* dN = shapeTable(q, a);
           for (int i = 0; i < 3; ++i) force[a][i] += T(i, 0) * P(dN[0]) + T(i, 1) * P(dN[1]) + T(i, 2) * P(dN[2]);
         }
       }
     }
-    if (!slots) continue;
     for (int a = 0; a < n; ++a) addRows(slots, local + a * lanes, force[a]);
   }
-  return power;
 }
 
 template <class Coefficient>
-DampedBlock::P DampedBlock::addAny(std::int32_t first, std::int32_t last, const double* rows, const double* vRows,
-                                   double factor, double* slots, Parts parts, const Coefficient& coefficient) const {
+void DampedBlock::addAny(std::int32_t first, std::int32_t last, const double* rows, const double* vRows, double factor,
+                         double* slots, Parts parts, const Coefficient& coefficient) const {
   if (!constants_.besideBulk() && (isSimplex() || (goesByModes(element()) && !means_))) {
     const double speed = material().waveSpeed();
     const P slowness(1 / speed);
@@ -387,19 +372,16 @@ DampedBlock::P DampedBlock::addAny(std::int32_t first, std::int32_t last, const 
   return add<false>(first, last, rows, vRows, factor, slots, parts, coefficient);
 }
 
-DampedBlock::P DampedBlock::addForces(std::int32_t first, std::int32_t last, const double* rows, const double* vRows,
-                                      double* slots, Parts parts) const {
+void DampedBlock::addForces(std::int32_t first, std::int32_t last, const double* rows, const double* vRows,
+                            double* slots, Parts parts) const {
   const P linear(constants_.linearBulk), quadratic(constants_.quadraticBulk * constants_.quadraticBulk);
-  return addAny(first, last, rows, vRows, 1, slots, parts, [=](const P& time, const P& rate, std::size_t) {
+  addAny(first, last, rows, vRows, 1, slots, parts, [=](const P& time, const P& rate, std::size_t) {
     return linear + quadratic * time * math::max(-rate, P(0.0));
   });
 }
 
-double DampedBlock::addForce(const Patch& patch, const double* rows, const double* vRows, double* slots) const {
-  const P power = addForces(patch.batchBegin, patch.batchEnd, rows, vRows, slots, Parts::all);
-  double sum = 0;
-  for (int lane = 0; lane < lanes; ++lane) sum += power[lane];
-  return sum;
+void DampedBlock::addForce(const Patch& patch, const double* rows, const double* vRows, double* slots) const {
+  addForces(patch.batchBegin, patch.batchEnd, rows, vRows, slots, Parts::all);
 }
 
 void DampedBlock::evaluateBatches(std::int32_t first, std::int32_t last, const double* rows,
@@ -415,15 +397,12 @@ void DampedBlock::evaluateBatches(std::int32_t first, std::int32_t last, const d
             1 / speed,
             constants_.linearBulk,
             constants_.quadraticBulk * constants_.quadraticBulk,
-            evaluation.velocities,
-            evaluation.dampingPower};
+            evaluation.velocities};
     own.bulk = &bulk;
   }
   inner().evaluateBatches(first, last, rows, own);
   if (together && !constants_.besideBulk()) return;
-  const P power =
-      addForces(first, last, rows, evaluation.velocities, evaluation.slots, together ? Parts::besideBulk : Parts::all);
-  (P::load(evaluation.dampingPower) + power).store(evaluation.dampingPower);
+  addForces(first, last, rows, evaluation.velocities, evaluation.slots, together ? Parts::besideBulk : Parts::all);
 }
 
 void DampedBlock::addProduct(const Patch& patch, const double* rows, const double* uRows, double factor,

@@ -60,9 +60,8 @@ class DampedBlock final : public WrappedBlock {
   /// Whether C depends on velocities.
   bool dependsOnRates() const { return constants_.quadraticBulk > 0; }
 
-  /// Adds the damping forces at x and v of the batches of a patch into its slots, unless they are nullptr, and returns
-  /// their power, W. rows, vRows: as gatherRows.
-  double addForce(const Patch& patch, const double* rows, const double* vRows, double* slots) const;
+  /// Adds the damping forces at x and v of the batches of a patch into its slots. rows, vRows: as gatherRows.
+  void addForce(const Patch& patch, const double* rows, const double* vRows, double* slots) const;
   /// Adds factor · C u.
   void addProduct(const Patch& patch, const double* rows, const double* uRows, double factor, double* slots) const;
   /// Lets the coefficients of a patch's elements count that those at x and v need: at least these, and no more than
@@ -121,15 +120,14 @@ class DampedBlock final : public WrappedBlock {
   struct Point;
   Point pointOf(int q, const std::int32_t* elements, const P (*edges)[3], P (*gradient)[3]) const;
   enum class Parts { all, besideBulk };
-  // These return the power, lane by lane.
   template <bool simplex, class Coefficient>
-  P add(std::int32_t first, std::int32_t last, const double* rows, const double* vRows, double factor, double* slots,
-        Parts parts, const Coefficient& coefficient) const;
-  template <class Coefficient>
-  P addAny(std::int32_t first, std::int32_t last, const double* rows, const double* vRows, double factor, double* slots,
+  void add(std::int32_t first, std::int32_t last, const double* rows, const double* vRows, double factor, double* slots,
            Parts parts, const Coefficient& coefficient) const;
-  P addForces(std::int32_t first, std::int32_t last, const double* rows, const double* vRows, double* slots,
-              Parts parts) const;
+  template <class Coefficient>
+  void addAny(std::int32_t first, std::int32_t last, const double* rows, const double* vRows, double factor,
+              double* slots, Parts parts, const Coefficient& coefficient) const;
+  void addForces(std::int32_t first, std::int32_t last, const double* rows, const double* vRows, double* slots,
+                 Parts parts) const;
   template <bool simplex>
   void followBatches(const Patch& patch, const double* rows, const double* vRows);
   void fill(const Mesh& mesh, const MeshBlock& meshBlock, const std::vector<double>& masses);

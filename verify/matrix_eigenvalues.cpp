@@ -2,8 +2,7 @@
 
 #include <cmath>
 
-#include <Eigen/Eigenvalues>
-
+#include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
 
 namespace ringwatch {
@@ -21,6 +20,14 @@ Eigen::VectorXcd eigenvaluesOf(const Eigen::MatrixXd& A) {
     similar -= 2 * (similar * normal).eval() * normal.transpose();
   }
   throw NumericalError(joinText("eigenvalues of a ", A.rows(), " by ", A.cols(), " matrix: the iteration failed"));
+}
+
+double denseEigenvalue(const Eigen::MatrixXd& K, const Eigen::VectorXd& mass) {
+  const Eigen::Index components = K.rows() / mass.size();
+  Eigen::VectorXd root(K.rows());
+  for (Eigen::Index i = 0; i < root.size(); ++i) root[i] = 1 / std::sqrt(mass[i / components]);
+  const Eigen::MatrixXd J = root.asDiagonal() * K * root.asDiagonal();
+  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(J, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
 }
 
 }  // namespace ringwatch

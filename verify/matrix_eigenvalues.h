@@ -8,4 +8,8 @@ namespace ringwatch {
 /// Throws NumericalError where they are not found.
 Eigen::VectorXcd eigenvaluesOf(const Eigen::MatrixXd& A);
 
+/// The highest eigenvalue of M^-½ K M^-½, rad²/s²; K: symmetric, N/m; mass: of the nodes, kg, whose components come
+/// together in K.
+double denseEigenvalue(const Eigen::MatrixXd& K, const Eigen::VectorXd& mass);
+
 }  // namespace ringwatch

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <ringwatch/app/analysis/step_answer.h>
+#include <ringwatch/app/output/junit.h>
 #include <ringwatch/app/output/progress.h>
 #include <ringwatch/app/output/report.h>
 #include <ringwatch/app/scene/capabilities.h>
@@ -16,7 +17,6 @@
 #include <ringwatch/app/scene/scene_discrete.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/infinity.h>
-#include <ringwatch/base/markup.h>
 #include <ringwatch/base/user_text.h>
 #include <ringwatch/meshes/check.h>
 #include <ringwatch/meshes/number_index.h>
@@ -458,9 +458,8 @@ class AuditReport {
 
 }  // namespace
 
-std::string junitText(const Json& audit) {
-  std::string cases;
-  int failures = 0, skipped = 0;
+std::string junitOfStates(const Json& audit) {
+  std::vector<JunitCase> cases;
   for (const Json& state : audit["history"]) {
     const auto verdict = state["verdict"].get<std::string>();
     std::vector<std::string> faults;
@@ -472,13 +471,10 @@ std::string junitText(const Json& audit) {
     if (state["inverted"]) faults.emplace_back(elementIsInverted);
     if (state["indefinite"]) faults.emplace_back(tangentIsIndefinite);
     if (verdict == "not-certified" && !state["indefinite"]) faults.emplace_back(stepIsOpen);
-    const std::string fault = fmt::format("{}", fmt::join(faults, ", "));
-    cases += fmt::format("  <testcase classname=\"ringwatch.audit\" name=\"state {}, {}\"", state["state"].get<int>(),
-                         markupText(state["where"].get<std::string>()));
-    if (fault.empty() && verdict == "-") {
-      ++skipped;
-      cases += fmt::format(">\n    <skipped message=\"{} the safe one, {} s\"/>\n  </testcase>\n", stepIsUnknown,
-                           state["safe"].dump());
+    JunitCase& one = cases.emplace_back(
+        JunitCase{fmt::format("state {}, {}", state["state"].get<int>(), state["where"].get<std::string>())});
+    if (faults.empty() && verdict == "-") {
+      one.skipped = fmt::format("{} the safe one, {} s", stepIsUnknown, state["safe"].dump());
       continue;
     }
     std::string step = state["step"].is_null() ? "" : fmt::format("step {} s", state["step"].dump());
@@ -486,19 +482,13 @@ std::string junitText(const Json& audit) {
       step += fmt::format(", {:.3g} times the proven one, {} s, optimistic {} s",
                           state["step"].get<double>() / state["safe"].get<double>(), state["safe"].dump(),
                           state["optimistic"].dump());
-    if (fault.empty()) {
-      cases += fmt::format(">\n    <system-out>{}</system-out>\n  </testcase>\n", step);
-      continue;
-    }
-    ++failures;
-    cases += fmt::format(">\n    <failure message=\"{}{}{}\"/>\n  </testcase>\n", markupText(fault),
-                         step.empty() ? "" : ": ", step);
+    if (faults.empty())
+      one.output = step;
+    else
+      one.failure = fmt::format("{}{}{}", fmt::join(faults, ", "), step.empty() ? "" : ": ", step);
   }
-  return fmt::format(
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" "
-      "skipped=\"{}\">\n{}  <system-out>{}</system-out>\n</testsuite>\n",
-      markupText(audit["results"].get<std::string>()), audit["history"].size(), failures, skipped, cases,
-      markupText(audit["conclusion"].get<std::string>()));
+  return junitText(audit["results"].get<std::string>(), "ringwatch.audit", cases,
+                   audit["conclusion"].get<std::string>());
 }
 
 AuditResult auditResults(const AuditOptions& options) {

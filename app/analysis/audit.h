@@ -94,6 +94,6 @@ struct AuditResult {
 AuditResult auditResults(const AuditOptions& options);
 /// The states of AuditResult::json as test cases in JUnit's XML. One fails where its step is not certified, an element
 /// is inverted or the state is lost, and is skipped where its step is not told.
-std::string junitText(const nlohmann::ordered_json& audit);
+std::string junitOfStates(const nlohmann::ordered_json& audit);
 
 }  // namespace ringwatch

@@ -65,7 +65,7 @@ struct AuditCommand final : Command {
       };
     if (!lumping.empty()) options.lumping = lumpingNames.valueOf("--lumping", lumping);
     const AuditResult result = auditResults(options);
-    if (!junit.empty()) writeFileAtomically(junit, labelled(junitText(result.json)));
+    if (!junit.empty()) writeFileAtomically(junit, labelled(junitOfStates(result.json)));
     json.write(result.json, result.text + written);
     return result.status;
   }

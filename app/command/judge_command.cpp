@@ -1,10 +1,13 @@
 #include <dlfcn.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
+#include <fstream>
 #include <memory>
-#include <sstream>
+#include <span>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -19,12 +22,20 @@
 #include <ringwatch/base/scratch_folder.h>
 #include <ringwatch/base/subprocess.h>
 #include <ringwatch/base/user_text.h>
+#include <ringwatch/meshes/formats/vtu_writer.h>
 #include <ringwatch/meshes/mesh_io.h>
 #include <ringwatch/monitor/metrics/metrics.h>
 #include <ringwatch/monitor/step_limit.h>
 
 namespace ringwatch {
 namespace {
+
+/// An element that decks have none for; empty where they have all of the mesh.
+std::string_view elementWithoutDeck(const Mesh& mesh) {
+  for (const MeshBlock& block : mesh.blocks)
+    if (const ElementInfo& element = elementInfo(block.type); !findDeckSolidOf(element.name, "")) return element.name;
+  return {};
+}
 
 /// A deck of Abaqus' and CalculiX' form with a free body and, where one is given, a fixed step, s.
 std::string deckText(const Mesh& mesh, double young, double poisson, double density, std::optional<double> step) {
@@ -35,7 +46,6 @@ std::string deckText(const Mesh& mesh, double young, double poisson, double dens
   for (const MeshBlock& block : mesh.blocks) {
     const ElementInfo& element = elementInfo(block.type);
     const DeckSolid* solid = findDeckSolidOf(element.name, element.rules.front().name);
-    if (!solid) throw InputError(fmt::format("a deck has no element for {}; use {{mesh}}", element.name));
     text += fmt::format("*ELEMENT, TYPE={}, ELSET=EALL\n", solid->type);
     for (std::size_t e = 0; e < block.elementCount(); ++e) {
       text += fmt::format("{}", ++number);
@@ -51,10 +61,23 @@ std::string deckText(const Mesh& mesh, double young, double poisson, double dens
   return text;
 }
 
-/// A rule that a shell's command tells: the last line that it prints is the step.
-StepRuleOfOthers ruleOfCommand(const std::string& command) {
-  return [command, folder = std::make_shared<ScratchFolder>()](const Mesh& mesh, double young, double poisson,
-                                                               double density) {
+/// The number that stands alone in the last line of a file that is not blank, or that line.
+std::pair<std::optional<double>, std::string> lastNumberOf(const std::filesystem::path& file) {
+  constexpr const char* blanks = " \t\r";
+  std::string last;
+  std::ifstream lines(file);
+  for (std::string line; std::getline(lines, line);)
+    if (line.find_first_not_of(blanks) != std::string::npos) last = std::move(line);
+  char* end = nullptr;
+  const double value = std::strtod(last.c_str(), &end);
+  const bool alone = end != last.c_str() && std::string_view(end).find_first_not_of(blanks) == std::string_view::npos;
+  return {alone && std::isfinite(value) ? std::optional(value) : std::nullopt, last};
+}
+
+/// A rule that a shell's command tells: the last line of its standard output is the step. seconds: that it may take.
+StepRuleOfOthers ruleOfCommand(const std::string& command, double seconds) {
+  return [command, seconds, folder = std::make_shared<ScratchFolder>()](const Mesh& mesh, double young, double poisson,
+                                                                        double density) {
     std::string line = command;
     const auto replace = [&](const std::string& what, const std::string& value) {
       for (std::size_t at = 0; (at = line.find(what, at)) != std::string::npos; at += value.size())
@@ -64,31 +87,32 @@ StepRuleOfOthers ruleOfCommand(const std::string& command) {
       const std::filesystem::path file = folder->path() / ("mesh." + extension);
       const std::string place = extension == "msh" ? "{mesh}" : "{mesh." + extension + "}";
       if (line.find(place) == std::string::npos) continue;
-      if (extension == "inp")
+      if (extension == "inp") {
+        if (const std::string_view element = elementWithoutDeck(mesh); !element.empty())
+          throw InputError(fmt::format("--command: {{mesh.inp}}: a deck has no element for {}; use {{mesh}}", element));
         writeFileAtomically(file, deckText(mesh, young, poisson, density, std::nullopt));
-      else
+      } else
         writeMesh(mesh, file);
       replace(place, shellWord(file.string()));
     }
     replace("{young}", fmt::format("{}", young));
     replace("{poisson}", fmt::format("{}", poisson));
     replace("{density}", fmt::format("{}", density));
-    const ProgramResult result = runProgram({"/bin/sh", "-c", line}, std::filesystem::current_path());
-    std::optional<double> step;
-    std::istringstream lines(result.output);
-    for (std::string text; std::getline(lines, text);) {
-      if (text.find_first_not_of(" \t\r") == std::string::npos) continue;
-      char* end = nullptr;
-      const double value = std::strtod(text.c_str(), &end);
-      step = std::string_view(end).find_first_not_of(" \t\r") == std::string_view::npos && std::isfinite(value)
-                 ? std::optional(value)
-                 : std::nullopt;
-    }
-    if (result.status != 0 || !step)
-      throw InputError(fmt::format(
-          "--command: {}: {}", line,
-          result.status != 0 ? fmt::format("ended with status {} and said {}", result.status, inQuotes(result.output))
-                             : "the last line that it prints is no number; must be the step alone, s"));
+    constexpr int outOfTime = 124;  // what `timeout` of the GNU core utilities ends with
+    const std::filesystem::path printed = folder->path() / "printed";
+    const ProgramResult result =
+        runProgram({"timeout", "--kill-after=1", fmt::format("{}", seconds), "/bin/sh", "-c", line},
+                   std::filesystem::current_path(), printed);
+    if (!result.found) throw InputError("--command: needs the program timeout of the GNU core utilities");
+    const auto [step, last] = lastNumberOf(printed);
+    const std::string fault =
+        result.status == outOfTime ? fmt::format("took longer than {} s, which --timeout says", seconds)
+        : result.status != 0       ? fmt::format("ended with status {} and said {}", result.status,
+                                                 inQuotes(result.output.empty() ? last : result.output))
+        : step                     ? ""
+               : fmt::format("the last line of its standard output, {}, is no number; must be the step alone, s",
+                             inQuotes(last));
+    if (!fault.empty()) throw InputError(fmt::format("--command: {}: {}", line, fault));
     return *step;
   };
 }
@@ -129,22 +153,27 @@ struct JudgeCommand final : Command {
   std::optional<int> shapes;
   std::vector<std::string> meshes;
   std::string command, library, metric, worst, junit, page;
+  double timeout = 600;  // s
 
   CLI::App* declare(CLI::App& app) override {
     CLI::App* judging = app.add_subcommand("judge", "hold a step rule of yours to the exact step");
     judging->add_option("MESH", meshes, "meshes to judge it on: " + readableExtensions())->type_name("MESH");
-    CLI::Option_group* rule = judging->add_option_group("rule", "the rule, one of");
-    rule->add_option(
-            "--command", command,
-            "command of a shell whose last line is the step, s; {mesh} (.msh), {mesh.vtu}, {mesh.inp}, {young}, "
-            "{poisson} and {density} are put in")
+    judging
+        ->add_option("--command", command,
+                     "the rule: command of a shell whose last line is the step, s; {mesh} (.msh), {mesh.vtu}, "
+                     "{mesh.inp}, {young}, {poisson} and {density} are put in")
         ->type_name("COMMAND");
-    rule->add_option("--library", library, "shared library with ringwatch_step_rule(), see docs/studies/atlas.md")
+    judging->add_option("--timeout", timeout, "seconds that a call of the command may take (default: 600)")
+        ->check(CLI::PositiveNumber);
+    judging
+        ->add_option("--library", library,
+                     "the rule: shared library with ringwatch_step_rule(), see docs/studies/atlas.md")
         ->type_name("FILE");
-    rule->add_option("--metric", metric, "a metric of ringwatch, by the limit of central differences")
+    judging->add_option("--metric", metric, "the rule: a metric of ringwatch, by the limit of central differences")
         ->type_name("NAME");
-    rule->require_option(1);
-    judging->add_option("--shapes", shapes, "shapes of each family (default: 20; 0 where meshes are given)")
+    judging
+        ->add_option("--shapes", shapes,
+                     "shapes of each family (default: 20; 0 where meshes and no elements are given)")
         ->check(CLI::Range(0, 1000000));
     judging->add_option("--elements", options.elements, "elements whose shapes count (default: all linear ones)")
         ->delimiter(',');
@@ -154,7 +183,11 @@ struct JudgeCommand final : Command {
     judging->add_option("--poisson", options.poisson, "Poisson's ratio (default: 0.3)")
         ->check(CLI::Range(-0.99, 0.4999));
     judging->add_option("--density", options.density, "density, kg/m3 (default: 1000)")->check(CLI::PositiveNumber);
-    judging->add_option("--worst", worst, "folder for the worst unsafe case: worst.msh and worst.inp")
+    judging
+        ->add_option("--worst", worst,
+                     "folder for the worst unsafe case: worst.msh, worst.inp where decks have its elements, and "
+                     "worst.vtu where it "
+                     "has moved")
         ->type_name("DIR");
     json.declare(*judging, "numbers");
     judging->add_option("--report", page, pageHelp)->type_name("FILE");
@@ -168,14 +201,45 @@ struct JudgeCommand final : Command {
     return judging;
   }
 
+  /// Writes the files of a case. Returns which, and the call of inspect that finds its exact step.
+  std::pair<std::string, std::string> writeWorst(const WorstCase& unsafest) const {
+    makeFolderOfPictures(worst);
+    const std::filesystem::path folder = worst;
+    writeMesh(unsafest.mesh, folder / "worst.msh");
+    std::string files = (folder / "worst.msh").string(), subject = shellWord(files);
+    if (elementWithoutDeck(unsafest.mesh).empty()) {
+      writeFileAtomically(folder / "worst.inp",
+                          deckText(unsafest.mesh, unsafest.young, unsafest.poisson, unsafest.density, unsafest.given));
+      files += ", worst.inp";
+    }
+    const NodeVectors displacement = unsafest.mesh.X - unsafest.rest;
+    if (!displacement.isZero(0)) {
+      Mesh mesh = unsafest.mesh;
+      mesh.X = unsafest.rest;
+      mesh.nodeSets = {{"held", unsafest.held}};
+      const VtuField field{"displacement", 3,
+                           std::span<const double>(displacement.data(), static_cast<std::size_t>(displacement.size()))};
+      writeVtu(folder / "worst.vtu", mesh, mesh.X, std::span(&field, 1));
+      files += ", worst.vtu";
+      subject = shellWord((folder / "worst.vtu").string()) + " --displacement displacement";
+      if (!unsafest.held.empty()) subject += " --fix set:held";
+    }
+    return {files, fmt::format("ringwatch inspect {} --model {} --young {} --poisson {} --density {} --global", subject,
+                               unsafest.law, unsafest.young, unsafest.poisson, unsafest.density)};
+  }
+
   ExitStatus execute() override {
     const JudgeFunction judge = judgeOfStudies();
     if (!judge) throw InputError("this program judges no rules; call ringwatch");
-    const StepRuleOfOthers rule = !command.empty()   ? ruleOfCommand(command)
+    if (std::ranges::count_if(std::array{&command, &library, &metric},
+                              [](const auto* text) { return !text->empty(); }) != 1)
+      throw InputError("the rule: must be one of --command, --library and --metric");
+    const StepRuleOfOthers rule = !command.empty()   ? ruleOfCommand(command, timeout)
                                   : !library.empty() ? ruleOfLibrary(library)
                                                      : ruleOfMetric(metric);
     for (const std::string& file : meshes) options.meshes.emplace_back(file, loadMesh(file));
-    options.shapesOfFamily = shapes.value_or(meshes.empty() ? JudgeOptions{}.shapesOfFamily : 0);
+    options.shapesOfFamily =
+        shapes.value_or(meshes.empty() || !options.elements.empty() ? JudgeOptions{}.shapesOfFamily : 0);
     const Judgement found = judge(rule, options);
     nlohmann::ordered_json numbers = studiesJson({found.report});
     std::string text = studyText(found.report) + "\n";
@@ -186,12 +250,9 @@ struct JudgeCommand final : Command {
                                           unsafest.given / unsafest.exact, unsafest.name);
       numbers["worst"] = {{"case", unsafest.name}, {"given", unsafest.given}, {"exact", unsafest.exact}};
       if (!worst.empty()) {
-        makeFolderOfPictures(worst);
-        const std::filesystem::path folder = worst;
-        writeMesh(unsafest.mesh, folder / "worst.msh");
-        writeFileAtomically(folder / "worst.inp", deckText(unsafest.mesh, unsafest.young, unsafest.poisson,
-                                                           unsafest.density, unsafest.given));
-        text += fmt::format("wrote {} and worst.inp: {}\n", (folder / "worst.msh").string(), unsafest.name);
+        const auto& [files, inspected] = writeWorst(unsafest);
+        numbers["worst"]["inspect"] = inspected;
+        text += fmt::format("wrote {}: {}\nits exact step: {}\n", files, unsafest.name, inspected);
       }
     }
     if (!junit.empty()) writeFileAtomically(junit, labelled(junitOfChecks(found.report)));

@@ -9,11 +9,11 @@
 #include <fmt/format.h>
 
 #include <ringwatch/app/output/gnuplot.h>
+#include <ringwatch/app/output/junit.h>
 #include <ringwatch/app/scene/integrator_catalog.h>
 #include <ringwatch/base/atomic_file.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/leftovers.h>
-#include <ringwatch/base/markup.h>
 #include <ringwatch/base/subprocess.h>
 #include <ringwatch/base/user_text.h>
 
@@ -250,21 +250,12 @@ nlohmann::ordered_json studiesJson(const std::vector<StudyReport>& reports) {
 }
 
 std::string junitOfChecks(const StudyReport& report) {
-  std::string cases;
-  std::size_t failures = 0;
-  for (const StudyCheck& check : report.checks) {
-    cases += fmt::format("  <testcase classname=\"ringwatch.{}\" name=\"{}\"", report.study, markupText(check.name));
-    failures += check.passed() ? 0 : 1;
-    cases += check.passed() ? "/>\n"
-                            : fmt::format(
-                                  ">\n    <failure message=\"measured {}, expected {}, tolerance {}\"/>\n  "
-                                  "</testcase>\n",
-                                  check.measured, check.expected, check.tolerance);
-  }
-  return fmt::format(
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"ringwatch {}\" tests=\"{}\" "
-      "failures=\"{}\">\n{}</testsuite>\n",
-      report.study, report.checks.size(), failures, cases);
+  std::vector<JunitCase> cases;
+  for (const StudyCheck& check : report.checks)
+    cases.push_back({check.name, check.passed() ? ""
+                                                : fmt::format("measured {}, expected {}, tolerance {}", check.measured,
+                                                              check.expected, check.tolerance)});
+  return junitText("ringwatch " + report.study, "ringwatch." + report.study, cases);
 }
 
 std::vector<std::string> drawFigures(const StudyReport& report, const std::filesystem::path& folder) {

@@ -460,22 +460,15 @@ constexpr OutputField verification[] = {
     {"studies.*.checks[].passed", "", "whether it is within", F::boolean},
 };
 
-constexpr OutputField judging[] = {
-    conclusion,
-    {"passed", "", "whether the rule is nowhere above the exact step", F::boolean},
-    {"studies.*.passed", "", "the same", F::boolean},
-    {"studies.*.tables.*[].*", "", "rows of the table, by column", F::any},
-    {"studies.*.checks[].name", "", "what is checked", F::text},
-    {"studies.*.checks[].measured", "", "largest step of the rule over the exact one", F::any},
-    {"studies.*.checks[].expected", "", "1", F::any},
-    {"studies.*.checks[].tolerance", "", "difference that is allowed", F::any},
-    {"studies.*.checks[].passed", "", "whether it is within", F::boolean},
+constexpr OutputField ofWorst[] = {
     {"worst", "", "the case in which the rule is farthest above the exact step; missing where it is in none", F::object,
      P::sometimes},
     {"worst.case", "", "which it is", F::text},
     {"worst.given", "s", "what the rule says there"},
     {"worst.exact", "s", "the exact step there"},
+    {"worst.inspect", "", "with --worst, the call that finds the exact step from the files", F::text, P::sometimes},
 };
+constexpr auto judging = joined(verification, ofWorst);
 
 constexpr OutputField auditing[] = {
     conclusion,

@@ -432,7 +432,7 @@ const DeckSolid* findDeckSolid(std::string_view type) {
 const DeckSolid* findDeckSolidOf(std::string_view element, std::string_view rule) {
   const DeckSolid* first = nullptr;
   for (const DeckSolid& solid : solids) {
-    if (solid.element != element) continue;
+    if (solid.element != element || solid.why == cornersAlone) continue;  // those have more nodes
     if (solid.rule == rule) return &solid;
     if (!first) first = &solid;
   }

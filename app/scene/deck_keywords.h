@@ -58,7 +58,8 @@ struct DeckSolid {
 };
 /// nullptr for a type that is not known.
 const DeckSolid* findDeckSolid(std::string_view type);
-/// The type of an element of ours: the one with this quadrature rule, else the first. nullptr where there is none.
+/// The type of an element of ours with as many nodes: the one with this quadrature rule, else the first. nullptr where
+/// there is none.
 const DeckSolid* findDeckSolidOf(std::string_view element, std::string_view rule);
 
 // Reasons that the reader tells, too.

@@ -20,7 +20,8 @@
 namespace ringwatch {
 
 // What stands in for files that start programs or need libraries which are there for the machine alone.
-ProgramResult runProgram(const std::vector<std::string>& command, const std::filesystem::path&) {
+ProgramResult runProgram(const std::vector<std::string>& command, const std::filesystem::path&,
+                         const std::filesystem::path&) {
   throw InputError("a page cannot start " + command.front() + ", which reads this file; ringwatch inspect can");
 }
 bool isMjcfFile(const std::filesystem::path&) { return false; }

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Makes a page of each notebook of examples/: runs it, and writes text, code and what came of it as Markdown.
 
-usage: notebooks.py FOLDER     the pages, FOLDER/examples/NAME.md, and their pictures; without nbclient or the module they have code alone
+usage: notebooks.py FOLDER [NAME ...]     the pages, FOLDER/examples/NAME.md, and their pictures; without nbclient or the module, and but for
+                                          the NAMEs where some are given, they have code alone
 """
 import base64
 import importlib.util
@@ -45,12 +46,12 @@ def page(path, folder, run):
 
 
 def main():
-    folder = pathlib.Path(sys.argv[1]) / "examples"
+    folder, chosen = pathlib.Path(sys.argv[1]) / "examples", sys.argv[2:]
     run = all(has(name) for name in ("nbclient", "ipykernel", "matplotlib", "ringwatch"))
     if not run:
         print("notebooks: not run, since nbclient, matplotlib (scripts/setup --notebook) or the module ringwatch is missing")
     for path in sorted((SOURCE / "examples").glob("*.ipynb")):
-        page(path, folder, run)
+        page(path, folder, run and (not chosen or path.stem in chosen))
 
 
 if __name__ == "__main__":

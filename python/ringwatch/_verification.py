@@ -26,7 +26,7 @@ def judge(
     rule: Rule,
     *,
     meshes: str | os.PathLike[str] | Sequence[str | os.PathLike[str]] = (),
-    elements: Sequence[str] = (),
+    elements: str | Sequence[str] = (),
     shapes: int | None = None,
     histories: bool = False,
     young: float = 1e6,
@@ -37,22 +37,23 @@ def judge(
 
     rule: a function (points, cells, young, poisson, density) -> step, s, of a free elastic body: points (N, 3), m; cells,
     a list of (element, (M, n) node numbers), the elements as "tet4", nodes in VTK's order. meshes: files. elements: whose
-    shapes count; all linear ones by default. shapes: of each family, 20 by default, 0 where meshes are given. histories:
-    also states of bars and a ball that move. young (Pa), poisson, density (kg/m³): of the shapes and meshes. The table
-    `judge` says on how many cases the rule is unsafe, `passed` that it is on none. Raises InputError, and what the rule
-    raises.
+    shapes count; all linear ones by default. shapes: of each family, 20 by default, 0 where meshes and no elements are
+    given. histories: also states of bars and a ball that move. young (Pa), poisson, density (kg/m³): of the shapes and
+    meshes. The table `judge` says on how many cases the rule is unsafe, `passed` that it is on none. Raises InputError,
+    and what the rule raises.
     """
     if not callable(rule):
         raise InputError(f"rule: an object of type {type(rule).__name__}; must be a function "
                          "(points, cells, young, poisson, density) -> step")
     files = [meshes] if isinstance(meshes, (str, os.PathLike)) else list(meshes)
-    count = shapes if shapes is not None else 0 if files else 20
+    chosen = [elements] if isinstance(elements, str) else list(elements)
+    count = shapes if shapes is not None else 0 if files and not chosen else 20
     if count < 0:
         raise InputError(f"shapes = {count}: must be at least 0")
     from . import _verify  # the studies, which nothing else needs
 
     called = getattr(rule, "__name__", type(rule).__name__)
-    return _verify.judge(rule, called, [os.fspath(file) for file in files], list(elements), count, histories,
+    return _verify.judge(rule, called, [os.fspath(file) for file in files], chosen, count, histories,
                          young, poisson, density)
 
 

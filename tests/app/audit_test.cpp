@@ -130,11 +130,11 @@ TEST_F(Audits, ReadLegacyFiles) {
 
   // As test cases: how near the proven step the others came, and none that passes where no step is told.
   audit(fmt::format("a0.vtk a2.vtk --step {} --junit j.xml{}", test::digits(0.5 * rest), test::material), 1);
-  EXPECT_THAT(folder_.read("j.xml"), HasSubstr("tests=\"2\" failures=\"1\" skipped=\"0\""));
+  EXPECT_THAT(folder_.read("j.xml"), HasSubstr("tests=\"2\" failures=\"1\" errors=\"0\" skipped=\"0\""));
   EXPECT_THAT(folder_.read("j.xml"), HasSubstr(" s, 0.5 times the proven one, "));
   writeVtk("untold.vtk", 0, 0, [](const Eigen::Vector3d& X) { return X; });
   audit("untold.vtk --junit j.xml" + std::string(test::material), 0);
-  EXPECT_THAT(folder_.read("j.xml"), HasSubstr("tests=\"1\" failures=\"0\" skipped=\"1\""));
+  EXPECT_THAT(folder_.read("j.xml"), HasSubstr("tests=\"1\" failures=\"0\" errors=\"0\" skipped=\"1\""));
   EXPECT_THAT(folder_.read("j.xml"), HasSubstr("<skipped message=\"the results do not tell which step was taken; "));
 }
 

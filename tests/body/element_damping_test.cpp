@@ -227,7 +227,7 @@ TEST(ElementDamping, ProductsFormsAndPartsAgreeWithTheMatrix) {
 }
 
 // Forces of elements and of their damping, in one pass and in two; of every law, as each has a kernel of its own.
-TEST(ElementDamping, OnePassHasTheForcesOfTwoAndTheirPower) {
+TEST(ElementDamping, OnePassHasTheForcesOfTwo) {
   class SeesAll final : public PatchVisitor {
    public:
     // By turns of batches with a common centre and with centres of their own.
@@ -264,10 +264,9 @@ TEST(ElementDamping, OnePassHasTheForcesOfTwoAndTheirPower) {
       body.internalForce(x, elastic, workspace);
       const NodeVectors damping = forceOf(body, x, v);
       body.resistingForce(x, v, both, workspace);
-      const double size = elastic.norm() + damping.norm(), power = powerOf(damping, v);
+      const double size = elastic.norm() + damping.norm();
       EXPECT_GT(damping.norm(), 0.03 * size) << test::bodyCaseName(c);
       EXPECT_LE((both - elastic - damping).norm(), 1.5e-15 * size) << test::bodyCaseName(c);
-      EXPECT_NEAR(body.elementDampingPower(x, v, workspace), power, 1.5e-15 * power) << test::bodyCaseName(c);
       StepEvaluation evaluation;
       evaluation.velocities = &v;
       evaluation.wantsEnergy = true;
@@ -276,11 +275,9 @@ TEST(ElementDamping, OnePassHasTheForcesOfTwoAndTheirPower) {
       EXPECT_EQ(evaluation.internalForce, both) << test::bodyCaseName(c);
       const double energy = body.energy(x, workspace);
       EXPECT_NEAR(evaluation.strainEnergy, energy, energyRounding * energy) << test::bodyCaseName(c);
-      EXPECT_NEAR(evaluation.dampingPower, power, 2e-15 * power) << test::bodyCaseName(c);
       evaluation.velocities = nullptr;
       body.evaluate(x, evaluation, workspace);
       EXPECT_EQ(evaluation.internalForce, elastic) << test::bodyCaseName(c);
-      EXPECT_EQ(evaluation.dampingPower, 0) << test::bodyCaseName(c);
     }
 }
 
@@ -380,7 +377,7 @@ TEST(ElementDamping, RoundingOfTangentsIsBoundedAndSmall) {
 TEST(ElementDamping, GivesTheSameBitsForAnyNumberOfThreads) {
   const test::BodyCase c = casesOfRules().front();
   std::vector<NodeVectors> forces, together;
-  std::vector<double> coefficients, powers, powersAlone;
+  std::vector<double> coefficients;
   for (const int threads : {1, 2, 4}) {
     Body body = damped(c, all, {8, 6, 6}, threads);
     const NodeVectors x = test::strained(body.mesh().X), v = test::Random(9).nodeVectors(body.nodeCount(), 1);
@@ -390,7 +387,6 @@ TEST(ElementDamping, GivesTheSameBitsForAnyNumberOfThreads) {
     evaluation.velocities = &v;
     body.evaluate(x, evaluation, workspace);
     together.push_back(evaluation.internalForce);
-    powers.push_back(evaluation.dampingPower);
     body.followDampingRates(x, v);
     double sum = 0;
     for (std::size_t place = 0; place < body.blocks()[0]->layout().elements.size(); ++place)
@@ -398,9 +394,6 @@ TEST(ElementDamping, GivesTheSameBitsForAnyNumberOfThreads) {
     coefficients.push_back(sum);
     EXPECT_EQ(forces.back(), forces.front());
     EXPECT_EQ(together.back(), together.front());
-    EXPECT_EQ(powers.back(), powers.front());
-    powersAlone.push_back(body.elementDampingPower(x, v, workspace));
-    EXPECT_EQ(powersAlone.back(), powersAlone.front());
     EXPECT_EQ(coefficients.back(), coefficients.front());
   }
 }

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Holds the tables of docs/studies/ to the data beside them: a comment <!-- FILE.csv --> stands before each table, whose header has
-names of columns, and every row is that of the file with the same first cell, numbers rounded.
+names of columns, and every row is that of the file with the same first cell, numbers rounded. A number in the text of a PAGE.md with a
+comment <!-- TABLE --> behind it is one of PAGE.TABLE.csv.
 
 usage: studies_test.py SOURCE_DIR
 """
@@ -26,12 +27,21 @@ def rounded_alike(shown, exact):
     return abs(one - other) <= 0.5001 * 10.0 ** (int(power or 0) - digits)
 
 
+def rows_of(file):
+    with file.open(encoding="utf-8", newline="") as opened:
+        return list(csv.DictReader(opened))
+
+
 def faults_of(page, text, folder):
-    """Faults of a page, and how many rows it has."""
+    """Faults of a page, and how many rows and numbers of the text it has."""
     faults, rows = [], 0
+    for match in re.finditer(r"(\d[\d.]*)(?: %)?<!-- ([\w-]+) -->", text):
+        rows += 1
+        file = f"{pathlib.Path(page).stem}.{match[2]}.csv"
+        if not any(rounded_alike(match[1], cell) for row in rows_of(folder / file) for cell in row.values()):
+            faults.append(f"{page}: {file} has no {match[1]}")
     for match in re.finditer(r"<!-- (\S+\.csv) -->\n((?:\|.*\n)+)", text):
-        with (folder / match[1]).open(encoding="utf-8", newline="") as opened:
-            data = list(csv.DictReader(opened))
+        data = rows_of(folder / match[1])
         header, _, *lines = ([cell.strip() for cell in line.strip("|\n").split("|")] for line in match[2].splitlines())
         if missing := [name for name in header if name not in data[0]]:
             faults.append(f"{page}: {match[1]} has no columns {missing}")

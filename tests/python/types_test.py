@@ -64,30 +64,36 @@ for found in (rw.verify(euler, limit=2, order=1), rw.verify(Euler, limit=2, orde
 """
 
 
-def mypy(tmp_path: pathlib.Path, *arguments: Any) -> Any:
-    return subprocess.run([sys.executable, "-m", "mypy", "--strict", "--cache-dir", str(tmp_path / "cache"), *arguments],
-                          capture_output=True, text=True, check=False, cwd=tmp_path,
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> pathlib.Path:
+    """Where all calls of mypy run and keep what they know of numpy, which takes most of their time."""
+    return tmp_path_factory.mktemp("types")
+
+
+def mypy(folder: pathlib.Path, *arguments: Any) -> Any:
+    return subprocess.run([sys.executable, "-m", "mypy", "--strict", "--cache-dir", str(folder / "cache"), *arguments],
+                          capture_output=True, text=True, check=False, cwd=folder,
                           env={**os.environ, "MYPYPATH": f"{BUILD / 'python'}:{pathlib.Path(__file__).parent}"})
 
 
-def test_package_and_users_are_strictly_typed(tmp_path: pathlib.Path) -> None:
-    (tmp_path / "program.py").write_text(PROGRAM)
-    told = mypy(tmp_path, "-p", "ringwatch")
+def test_package_and_users_are_strictly_typed(folder: pathlib.Path) -> None:
+    (folder / "program.py").write_text(PROGRAM)
+    told = mypy(folder, "-p", "ringwatch")
     assert told.returncode == 0, told.stdout
-    told = mypy(tmp_path, "program.py")
+    told = mypy(folder, "program.py")
     assert told.returncode == 0, told.stdout
-    (tmp_path / "wrong.py").write_text(PROGRAM.replace("limit=2.0)\nreport", "limt=2.0)\nreport"))
-    told = mypy(tmp_path, "wrong.py")
+    (folder / "wrong.py").write_text(PROGRAM.replace("limit=2.0)\nreport", "limt=2.0)\nreport"))
+    told = mypy(folder, "wrong.py")
     assert told.returncode == 1 and "limt" in told.stdout
 
 
-def test_the_tests_are_strictly_typed(tmp_path: pathlib.Path) -> None:
+def test_the_tests_are_strictly_typed(folder: pathlib.Path) -> None:
     """They use all of the interface, so its hints are held to what it does."""
-    told = mypy(tmp_path, *sorted(str(path) for path in pathlib.Path(__file__).parent.glob("*.py")))
+    told = mypy(folder, *sorted(str(path) for path in pathlib.Path(__file__).parent.glob("*.py")))
     assert told.returncode == 0, told.stdout
 
 
-def test_the_program_runs(tmp_path: pathlib.Path) -> None:
+def test_the_program_runs() -> None:
     subprocess.run([sys.executable, "-c", PROGRAM], check=True)
 
 

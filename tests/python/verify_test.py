@@ -177,3 +177,6 @@ def test_judges_a_rule_of_python() -> None:
             rw.judge(bad)
     with pytest.raises(rw.InputError, match="shapes = -1"):
         rw.judge(shortest_edge, shapes=-1)
+    with pytest.raises(rw.InputError, match="nothing to judge"):
+        rw.judge(shortest_edge, shapes=0)
+    assert [row["on"] for row in rw.judge(lambda *_: 1e-9, shapes=1, elements="wedge6").tables["judge"]] == ["wedges"]

@@ -17,7 +17,7 @@ const StudyReport& literatureReport() {
   return report;
 }
 
-TEST(Literature, EveryValueAgrees) { test::expectHolds(literatureReport(), 60); }
+TEST(Literature, EveryValueAgrees) { test::expectHolds(literatureReport(), 140); }
 
 TEST(Literature, NamesASourceForEveryValue) {
   std::set<std::string> sources;

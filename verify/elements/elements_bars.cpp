@@ -10,6 +10,7 @@
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/meshes/generators/generators.h>
 #include <ringwatch/monitor/bounds/global_frequency.h>
+#include <ringwatch/verify/bisection.h>
 #include <ringwatch/verify/elements/elements_studies.h>
 #include <ringwatch/verify/static_solver.h>
 #include <ringwatch/verify/study_bodies.h>
@@ -25,17 +26,6 @@ Mesh bar(std::string_view element, int cells) {
   options.cells = {5 * cells, cells, cells};
   options.element = element;
   return generateBar(options);
-}
-
-/// The root of a function that changes sign between low and high.
-template <class Function>
-double bisect(double low, double high, const Function& f) {
-  const bool lowSign = f(low) > 0;
-  for (int i = 0; i < 200; ++i) {
-    const double middle = 0.5 * (low + high);
-    ((f(middle) > 0) == lowSign ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
 }
 
 /// ω², rad²/s², of the first bending vibration of a cantilever of square section by Timoshenko's beam, nu = 0, shear

@@ -8,15 +8,15 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
-#include <ringwatch/base/eigen_instances.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/infinity.h>
 #include <ringwatch/base/parallel.h>
 #include <ringwatch/monitor/critical_step.h>
 #include <ringwatch/monitor/metrics/element_metrics.h>
 #include <ringwatch/monitor/tangent_bracket.h>
+#include <ringwatch/verify/matrix_eigenvalues.h>
 #include <ringwatch/verify/step_rules/foreign_rules.h>
 #include <ringwatch/verify/step_rules/shapes.h>
 #include <ringwatch/verify/study_bodies.h>
@@ -89,11 +89,11 @@ BodyOptions onOneThread() {
 }
 
 /// Some shapes of a family as a body, and where they are.
-struct Shapes {
+struct DrawnShapes {
   Body body;
   NodeVectors x;
 };
-Shapes shapesOf(const ShapeFamily& family, double poisson, int count, std::uint64_t seed) {
+DrawnShapes shapesOf(const ShapeFamily& family, double poisson, int count, std::uint64_t seed) {
   BodyOptions options = onOneThread();
   if (!family.rule.empty()) options.rules.emplace(family.element, family.rule);
   Mesh mesh = meshOfShapes(family, count, seed);
@@ -111,7 +111,7 @@ std::vector<double> factorsOf(const std::vector<ForeignRule>& rules, double pois
 /// factors: of the rules, by factorsOf().
 Tallies tallyBatch(const ShapeFamily& family, const std::vector<ForeignRule>& rules, const std::vector<double>& factors,
                    double poisson, std::uint64_t seed) {
-  const Shapes shapes = shapesOf(family, poisson, shapesOfBatch, seed);
+  const DrawnShapes shapes = shapesOf(family, poisson, shapesOfBatch, seed);
   const std::vector<double> exact = singleElement(shapes.body, shapes.x)[0];
   const int n = shapes.body.blocks()[0]->element().nodes;
   Tallies tallies(rules.size());
@@ -125,22 +125,13 @@ Tallies tallyBatch(const ShapeFamily& family, const std::vector<ForeignRule>& ru
   return tallies;
 }
 
-/// The highest eigenvalue of M^-½ K M^-½, by Eigen; mass: of the nodes, kg, whose components come together in K, N/m.
-double denseEigenvalue(const Eigen::MatrixXd& K, const Eigen::VectorXd& mass) {
-  const Eigen::Index components = K.rows() / mass.size();
-  Eigen::VectorXd root(K.rows());
-  for (Eigen::Index i = 0; i < root.size(); ++i) root[i] = 1 / std::sqrt(mass[i / components]);
-  const Eigen::MatrixXd J = root.asDiagonal() * K * root.asDiagonal();
-  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(J).eigenvalues().maxCoeff();
-}
-
 /// Holds the exact steps of some shapes of a family to dense eigenvalues, and the proven bracket of each to its own.
 void checkFamily(StudyReport& report, const ShapeFamily& family) {
   constexpr std::uint64_t checked = 20;
   constexpr double poisson = 0.3, ofEigenvalue = 1e-8;
   double apart = 0, unsafe = 0, unproven = 0;
   for (std::uint64_t seed = 0; seed < checked; ++seed) {
-    const Shapes one = shapesOf(family, poisson, 1, seed);
+    const DrawnShapes one = shapesOf(family, poisson, 1, seed);
     const double dense = denseEigenvalue(one.body.assembleTangent(one.x), one.body.lumpedMass()),
                  step = stepFor(dense, verletLimit);
     apart = std::max(apart, std::abs(singleElement(one.body, one.x)[0][0] / dense - 1));

@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/infinity.h>
@@ -26,8 +30,8 @@ class Judge {
   Judge(const StepRuleOfOthers& rule, Judgement& found) : rule_(rule), found_(found) {}
 
   /// The body's exact step at x against the rule's. Throws InputError where there is none.
-  void judge(const std::string& name, const Body& body, NodeVectorsView x, double young, double poisson,
-             double density) {
+  void judge(const std::string& name, std::string_view law, const Body& body, NodeVectorsView x, double young,
+             double poisson, double density) {
     const GlobalFrequency top = globalFrequency(body, x, ofEigenvalue);
     if (!top.converged || !(top.lambda > 0)) throw InputError(joinText(name, ": has no highest frequency"));
     const double exact = stepFor(top.lambda, detail::verletLimit);
@@ -43,8 +47,12 @@ class Judge {
     else
       waste_ += 1 - ratio;
     largest_ = std::max(largest_, ratio);
-    if (ratio > 1 + ofStep && (!found_.worst || ratio > found_.worst->given / found_.worst->exact))
-      found_.worst = {name, std::move(mesh), given, exact, young, poisson, density};
+    if (!(ratio > 1 + ofStep) || (found_.worst && ratio <= found_.worst->given / found_.worst->exact)) return;
+    std::vector<std::int32_t> held;
+    for (std::int32_t node = 0; node < body.nodeCount(); ++node)
+      if (body.constraints().freeComponents(node) == 0) held.push_back(node);
+    found_.worst = {name,  std::move(mesh), body.mesh().X, std::string(law), std::move(held),
+                    given, exact,           young,         poisson,          density};
   }
 
   /// Ends the cases of a row of the table.
@@ -84,8 +92,8 @@ void judgeShapes(Judge& judge, const JudgeOptions& options) {
     for (int k = 0; k < options.shapesOfFamily; ++k) {
       const Body body(meshOfShapes(family, 1, static_cast<std::uint64_t>(k)),
                       makeMaterial("linear", options.young, options.poisson, options.density));
-      judge.judge(joinText(family.name, ", shape ", k + 1), body, body.mesh().X, options.young, options.poisson,
-                  options.density);
+      judge.judge(joinText(family.name, ", shape ", k + 1), "linear", body, body.mesh().X, options.young,
+                  options.poisson, options.density);
     }
     judge.endRow(std::string(family.name));
   }
@@ -102,7 +110,7 @@ void judgeHistories(Judge& judge) {
     for (int step = 0; step <= states * every; ++step) {
       if (step % every == 0) {
         if (!(history.body.leastDeterminant(state.x).value > 0)) break;  // it has collapsed
-        judge.judge(joinText(history.name, ", time ", state.time, " s"), history.body, state.x, detail::young,
+        judge.judge(joinText(history.name, ", time ", state.time, " s"), "stvk", history.body, state.x, detail::young,
                     detail::poisson, detail::density);
       }
       integrator.step(system, state, history.h / parts);
@@ -123,10 +131,12 @@ Judgement judgeRule(const StepRuleOfOthers& rule, const JudgeOptions& options) {
   judgeShapes(judge, options);
   for (const auto& [name, mesh] : options.meshes) {
     const Body body(mesh, makeMaterial("linear", options.young, options.poisson, options.density));
-    judge.judge(name, body, body.mesh().X, options.young, options.poisson, options.density);
+    judge.judge(name, "linear", body, body.mesh().X, options.young, options.poisson, options.density);
     judge.endRow(name);
   }
   if (options.histories) judgeHistories(judge);
+  if (found.report.checks.empty())
+    throw InputError("nothing to judge the rule on: give a mesh, histories or more than 0 shapes");
   return found;
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -26,8 +27,11 @@ struct JudgeOptions {
 /// The case in which a rule is farthest above the exact step.
 struct WorstCase {
   std::string name;
-  Mesh mesh;            // as the rule saw it
-  double given, exact;  // s
+  Mesh mesh;                       // as the rule saw it
+  NodeVectors rest;                // its nodes before it moved, 3×N, m
+  std::string law;                 // of its material
+  std::vector<std::int32_t> held;  // nodes that follow no forces
+  double given, exact;             // s
   double young, poisson, density;
 };
 
@@ -38,9 +42,9 @@ struct Judgement {
   std::optional<WorstCase> worst;  // where the rule is unsafe somewhere
 };
 
-/// Judges a rule by exact steps. Throws InputError for an element that no family has, for a mesh whose highest
-/// frequency does not exist, and where the rule gives what is no positive number, naming the case; and what the rule
-/// throws.
+/// Judges a rule by exact steps. Throws InputError where there is nothing to judge it on, for an element that no family
+/// has, for a mesh whose highest frequency does not exist, and where the rule gives what is no positive number, naming
+/// the case; and what the rule throws.
 Judgement judgeRule(const StepRuleOfOthers& rule, const JudgeOptions& options);
 
 }  // namespace ringwatch

@@ -7,6 +7,7 @@
 
 #include <ringwatch/base/random.h>
 #include <ringwatch/body/body.h>
+#include <ringwatch/verify/plane_element.h>
 
 namespace ringwatch {
 
@@ -29,20 +30,7 @@ Mesh meshOfShapes(const ShapeFamily& family, int count, std::uint64_t seed);
 /// Random gradients of separate elements applied to their nodes, 3×N, m.
 NodeVectors stretchedShapes(const Mesh& mesh, std::uint64_t seed);
 
-/// A triangle or quadrilateral in plane strain, of thickness 1 m.
-struct PlaneShape {
-  int nodes;
-  Eigen::Matrix<double, 2, 4> X;  // corners, counter-clockwise, m; of a triangle the first three
-};
-
 /// A valid random triangle or quadrilateral: normal coordinates, as those of tetrahedra; convex quadrilaterals.
 PlaneShape randomPlaneShape(int nodes, Random& random);
-
-/// Tangent, N/m, and masses, kg, of a plane shape of a linear elastic solid: 2n×2n, 2×2 points on a quadrilateral.
-struct PlaneElement {
-  Eigen::MatrixXd tangent;
-  Eigen::VectorXd mass;  // of the nodes: row sums
-};
-PlaneElement planeElement(const PlaneShape& shape, double young, double poisson, double density);
 
 }  // namespace ringwatch
