@@ -223,12 +223,12 @@ class Documents:
                 if not stem.exists() and not list(stem.parent.glob(stem.name + ".*")):
                     self.fault(path, line, f"there is no {span}")
 
-        path, rooms = self.first_column("CONTRIBUTING.md", "| room |")
+        path, subfolders = self.first_column("CONTRIBUTING.md", "| subfolder |")
         there = {f"{p.parent.parent.name}/{p.parent.name}/" for folder in re.findall(
             r"^(\w+):", (self.source / "cmake/layers.txt").read_text(encoding="utf-8"), re.M)
             for p in self.source.glob(f"{folder}/*/*.*")}
-        if there != set(rooms):
-            self.fault(path, 1, f"rooms of folders: the document has {sorted(rooms)}, there are {sorted(there)}")
+        if there != set(subfolders):
+            self.fault(path, 1, f"subfolders of folders: the document has {sorted(subfolders)}, there are {sorted(there)}")
         self.check_components()
 
     def check_components(self):
