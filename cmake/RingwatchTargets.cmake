@@ -75,7 +75,7 @@ function(ringwatch_check_headers name)
   endif()
 endfunction()
 
-# ringwatch_sources(FILES [EXCEPT …] [ENDING …]): the sources of this folder and of the rooms in it, which are folders
+# ringwatch_sources(FILES [EXCEPT …] [ENDING …]): the sources of this folder and of its subfolders
 # without a CMakeLists.txt: files that end in .cpp or in what is given, less those of EXCEPT, in the list FILES. A new file
 # is found by the next build: no list names it.
 function(ringwatch_sources files)

@@ -44,7 +44,6 @@ struct Way {
   double step = 0, error = 0, seconds = 0;
   std::size_t elements = 0;              // handled
   std::optional<double> addedMass = {};  // kg
-  double gain = 0;                       // over the explicit one
   std::optional<AdvisedRuns::Run> run = {};
 };
 
@@ -77,8 +76,6 @@ class Trials {
     for (const IntegratorEntry& entry : integratorCatalog().entries())
       if (std::isinf(entry.info->imaginaryLimit) && !entry.info->partitioned)
         ways.push_back(plain(std::string(entry.info->name), Kind::implicitly, h_));
-    for (Way& way : ways)
-      if (way.why.empty()) way.gain = ways.front().seconds / way.seconds;
     progress_.clear();
     return ways;
   }
@@ -168,7 +165,7 @@ void runThose(std::vector<Way>& ways, const AdvisedRuns& runs, double time, doub
     if (!(way.error <= errs))
       way.notRun = fmt::format("an error of {:.2g} in the trial, where {:.2g} is allowed", way.error, errs);
     else if (slower > hopeful)
-      way.notRun = fmt::format("by its trial it takes {:.3g} times as long", slower);
+      way.notRun = fmt::format("by its trial, even without the monitor, it takes {:.3g} times as long", slower);
     if (!way.notRun.empty()) continue;
     progress.announce("running with " + way.name);
     try {
@@ -178,6 +175,35 @@ void runThose(std::vector<Way>& ways, const AdvisedRuns& runs, double time, doub
     }
   }
   progress.clear();
+}
+
+/// The trials. Without runs they decide, and have the columns of time; runs decide with the monitor's time, which
+/// trials lack.
+std::string tellTrials(const std::vector<Way>& ways, double time, std::int64_t steps, double mass, bool decide,
+                       Json& json) {
+  std::string text = fmt::format(
+      "trials over {:.6g} s, {} steps{}; error of the displacement against a converged motion:\n"
+      "  {:<18} {:>11} {:>9} {:>13}{} {:>9}\n",
+      time, steps, decide ? ", not watched" : "", "", "step (s)", "handled", "added mass, %",
+      decide ? fmt::format(" {:>13} {:>9}", "computing, s", "gain") : "", "error");
+  for (const Way& one : ways) {
+    Json row{{"name", one.name}, {"kind", std::string(kindNames[static_cast<std::size_t>(one.kind)])}};
+    if (!one.why.empty()) {
+      row["why_not"] = one.why;
+      text += fmt::format("  {:<18} not: {}\n", one.name, one.why);
+    } else {
+      const double gain = ways.front().seconds / one.seconds;
+      row.update(Json{{"step", one.step}, {"elements", one.elements}, {"seconds", one.seconds}, {"error", one.error}});
+      if (decide) row["gain"] = numberOrNull(gain);
+      if (one.addedMass) row["added_mass"] = *one.addedMass;
+      text += fmt::format("  {:<18} {:>11.5g} {:>9} {:>13}{} {:>9.2g}\n", one.name, one.step,
+                          one.kind == Kind::handler ? fmt::format("{}", one.elements) : "-",
+                          one.addedMass ? fmt::format("{:.3g}", 100 * *one.addedMass / mass) : "-",
+                          decide ? fmt::format(" {:>13.3g} {:>9.3g}", one.seconds, gain) : "", one.error);
+    }
+    json["ways"].push_back(std::move(row));
+  }
+  return text;
 }
 
 std::string tellRuns(const std::vector<Way>& ways, const AdvisedRuns& runs, Json& json) {
@@ -221,7 +247,7 @@ class Advice {
   /// steps: of what decides.
   Advice(const std::vector<Way>& ways, double allowed, const AdvisedRuns* runs, std::int64_t steps)
       : runs_(runs), allowed_(allowed), explicit_(ways.front()) {
-    where_ = fmt::format("{} {} steps", runs ? "over" : "in trials of", steps);
+    where_ = fmt::format("{} {} steps{}", runs ? "over" : "in trials of", steps, runs ? "" : ", not watched");
     for (const Way& way : ways) {
       if (runs ? !way.run || !way.run->lost.empty() : !way.why.empty()) continue;
       ++seen_;
@@ -328,39 +354,18 @@ AdviseResult adviseScene(const AdviseOptions& options) {
   std::vector<Way> ways = Trials(options, start, h, time, bracket.safe).all();
   json["time"] = time;
   json["allowed_error"] = options.error;
-  result.text += fmt::format(
-      "trials over {:.6g} s, {:.0f} steps, not watched; error of the displacement against a converged motion:\n"
-      "  {:<18} {:>11} {:>9} {:>13} {:>11} {:>9} {:>9}\n",
-      time, std::ceil(time / h - 1e-9), "", "step (s)", "handled", "added mass, %", "computing, s", "gain", "error");
-  for (const Way& one : ways) {
-    Json row{{"name", one.name}, {"kind", std::string(kindNames[static_cast<std::size_t>(one.kind)])}};
-    if (!one.why.empty()) {
-      row["why_not"] = one.why;
-      result.text += fmt::format("  {:<18} not: {}\n", one.name, one.why);
-    } else {
-      row.update(Json{{"step", one.step},
-                      {"elements", one.elements},
-                      {"seconds", one.seconds},
-                      {"gain", numberOrNull(one.gain)},
-                      {"error", one.error}});
-      if (one.addedMass) row["added_mass"] = *one.addedMass;
-      result.text += fmt::format("  {:<18} {:>11.5g} {:>9} {:>13} {:>11.3g} {:>9.3g} {:>9.2g}\n", one.name, one.step,
-                                 one.kind == Kind::handler ? fmt::format("{}", one.elements) : "-",
-                                 one.addedMass ? fmt::format("{:.3g}", 100 * *one.addedMass / body.totalMass()) : "-",
-                                 one.seconds, one.gain, one.error);
-    }
-    json["ways"].push_back(std::move(row));
-  }
-  std::optional<AdvisedRuns> runs;
+  const auto trialSteps = static_cast<std::int64_t>(std::ceil(time / h - 1e-9));
   const double own = scene.safety * bracket.safe;
-  if (const std::int64_t steps = stepsToRun(options, start, h, own); steps > 0) {
+  const std::int64_t runSteps = stepsToRun(options, start, h, own);
+  result.text += tellTrials(ways, time, trialSteps, body.totalMass(), runSteps == 0, json);
+  std::optional<AdvisedRuns> runs;
+  if (runSteps > 0) {
     ProgressLine progress(options.progress);
     progress.announce("running the scene in small steps");
-    runs.emplace(start, h, own, steps, options.progress);
+    runs.emplace(start, h, own, runSteps, options.progress);
     runThose(ways, *runs, time, options.error, progress);
     result.text += tellRuns(ways, *runs, json);
   }
-  const auto trialSteps = static_cast<std::int64_t>(std::ceil(time / h - 1e-9));
   json["conclusion"] =
       Advice(ways, options.error, runs ? &*runs : nullptr, runs ? runs->steps() : trialSteps).tell(json);
   if (bad > 0) {

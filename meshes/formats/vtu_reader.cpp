@@ -494,10 +494,11 @@ class VtuReader {
 
   template <class T>
   static T convert(const char* raw, const DataType& type, bool swap) {
-    char b[8] = {};
-    for (std::size_t i = 0; i < type.bytes; ++i) b[i] = raw[swap ? type.bytes - 1 - i : i];
     const auto as = [&]<class U>(U value) {
-      std::memcpy(&value, b, sizeof(U));
+      std::array<char, sizeof(U)> stored;
+      std::memcpy(stored.data(), raw, sizeof(U));
+      if (swap) std::reverse(stored.begin(), stored.end());
+      std::memcpy(&value, stored.data(), sizeof(U));
       return static_cast<T>(value);
     };
     if (type.real) {

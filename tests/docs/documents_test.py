@@ -7,7 +7,7 @@ links     every relative link, its heading included, and every file that is name
 lists     commands, options, topics, scene keys and lists of names in the documents are those of `ringwatch help TOPIC`, and
           what stands in TOML is valid by the schema of scenes
 words     documents, help texts, messages and docstrings of Python have none of the words that only a diary or a former name needs
-guides    the pages of docs/ are short, and tell neither days nor machines nor what was once otherwise
+guides    the pages of docs/ are short; they, all other documents and the paper tell neither days nor machines nor what was once otherwise
 commands  every command in a fenced block runs, or is listed below with the reason why it does not, and a text block behind it is
           what it prints
 """
@@ -89,12 +89,12 @@ WORDS = {
 
 
 # How many lines a page of docs/ may have: what a reader takes in at once. 150 where the page is not named here.
-GUIDE_LINES, LONGEST_GUIDE = {"monitor.md": 90, "performance.md": 50, "cluster.md": 100, "gallery.md": 170}, 150
+GUIDE_LINES, LONGEST_GUIDE = {"monitor.md": 90, "performance.md": 50, "cluster.md": 100, "gallery.md": 180}, 150
 LONGEST_STUDY = 90  # of docs/studies: a short paper
 # How wide its lines may be, so that a change of a sentence can be read, and its rows of tables, so that a cell stays one thought.
 WIDEST_PROSE, WIDEST_ROW = 170, 220
 TERMS_OF_THE_GLOSSARY, RELEASE_BULLETS = 45, 30
-# What dates a page. Figures stand with their day and machine in bench/results, changes in CHANGELOG.md.
+# What dates a page.
 DATED = {
     "a day": r"\b(January|February|March|April|May|June|July|August|September|October|November|December) 20\d\d|\b20\d\d-\d\d",
     "a machine": r"\b(Xeon|EPYC|Ryzen|[ABH][12]00)\b",
@@ -223,12 +223,12 @@ class Documents:
                 if not stem.exists() and not list(stem.parent.glob(stem.name + ".*")):
                     self.fault(path, line, f"there is no {span}")
 
-        path, rooms = self.first_column("CONTRIBUTING.md", "| room |")
+        path, subfolders = self.first_column("CONTRIBUTING.md", "| subfolder |")
         there = {f"{p.parent.parent.name}/{p.parent.name}/" for folder in re.findall(
             r"^(\w+):", (self.source / "cmake/layers.txt").read_text(encoding="utf-8"), re.M)
             for p in self.source.glob(f"{folder}/*/*.*")}
-        if there != set(rooms):
-            self.fault(path, 1, f"rooms of folders: the document has {sorted(rooms)}, there are {sorted(there)}")
+        if there != set(subfolders):
+            self.fault(path, 1, f"subfolders of folders: the document has {sorted(subfolders)}, there are {sorted(there)}")
         self.check_components()
 
     def check_components(self):
@@ -487,7 +487,14 @@ class Documents:
     def check_guides(self):
         studies = self.source / "docs/studies"
         pages = [path for path in self.paths if path.parent in (self.source / "docs", studies)]
+        others = [path for path in (*self.paths, *self.project, self.source / "SECURITY.md", *sorted((self.source / "check").glob("*.md")),
+                                    *sorted((self.source / "paper").glob("*.md"))) if path not in pages]
+        for path in dict.fromkeys(others):
+            # Figures stand with their day and machine in bench/results, changes in the change log.
+            if path.name != "CHANGELOG.md" and self.source / "bench/results" not in path.parents:
+                self.check_dated(path)
         for path in pages:
+            self.check_dated(path)
             lines, fenced = self.lines(path), False
             if len(lines) - 1 > (limit := LONGEST_STUDY if path.parent == studies else GUIDE_LINES.get(path.name, LONGEST_GUIDE)):
                 self.fault(path, limit + 1, f"{len(lines) - 1} lines; at most {limit}")
@@ -501,9 +508,6 @@ class Documents:
                 width, limit = (len(told), WIDEST_ROW) if row else (len(line), WIDEST_PROSE)
                 if width > limit:
                     self.fault(path, number, f"{width} letters wide; at most {limit}")
-                for what, pattern in DATED.items():
-                    if match := re.search(pattern, told):
-                        self.fault(path, number, f'"{match[0]}" tells {what}')
         path = self.source / "docs/glossary.md"
         if path in pages:
             terms = sum(line.startswith("| **") for line in self.lines(path))
@@ -512,6 +516,15 @@ class Documents:
         for name in GUIDE_LINES:
             if not (self.source / "docs" / name).exists():
                 self.faults.append(f"{pathlib.Path(__file__).name}: there is no guide {name} any more")
+
+    def check_dated(self, path):
+        fenced = False
+        for number, line in enumerate(self.lines(path), 1):
+            fenced ^= line.startswith("```")
+            told = "" if fenced else re.sub(r"\]\([^)]*\)|`[^`]*`", "", line)
+            for what, pattern in DATED.items():
+                if match := re.search(pattern, told):
+                    self.fault(path, number, f'"{match[0]}" tells {what}')
 
     # ---- commands
 

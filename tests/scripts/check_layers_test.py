@@ -56,15 +56,15 @@ class CheckLayers(unittest.TestCase):
         self.expect(1, "top/e.h:2: top may not include right; cmake/layers.txt allows it ground, left",
                     {"top/e.h": "#pragma once\n#include <ringwatch/right/c.h>\n"})
 
-    def test_include_of_a_room_that_is_not_allowed(self):
-        rooms = {"cmake/layers.txt": TABLE + "top/lower:\ntop/upper: top/lower\n",
+    def test_include_of_a_subfolder_that_is_not_allowed(self):
+        subfolders = {"cmake/layers.txt": TABLE + "top/lower:\ntop/upper: top/lower\n",
                  "top/lower/a.h": "#pragma once\n#include <ringwatch/top/d.h>\n",
                  "top/upper/b.h": "#pragma once\n#include <ringwatch/top/lower/a.h>\n"}
-        self.assertEqual(check(rooms), (0, ""))
-        self.expect(1, "top/lower/c.h:2: top/lower may not include top/upper; cmake/layers.txt allows it no other room",
-                    {**rooms, "top/lower/c.h": "#pragma once\n#include <ringwatch/top/upper/b.h>\n"})
+        self.assertEqual(check(subfolders), (0, ""))
+        self.expect(1, "top/lower/c.h:2: top/lower may not include top/upper; cmake/layers.txt allows it no other subfolder",
+                    {**subfolders, "top/lower/c.h": "#pragma once\n#include <ringwatch/top/upper/b.h>\n"})
         self.expect(1, "top/other/c.h:2: top/other may not include top/upper",
-                    {**rooms, "top/other/c.h": "#pragma once\n#include <ringwatch/top/upper/b.h>\n"})
+                    {**subfolders, "top/other/c.h": "#pragma once\n#include <ringwatch/top/upper/b.h>\n"})
         self.expect(2, "layers.txt:5: 'top/lower' names 'left', which is not on a line above",
                     {"cmake/layers.txt": TABLE + "top/lower: left\n"})
 
