@@ -1,6 +1,6 @@
 #include <ringwatch/base/error.h>
 
-#include <cstdio>
+#include <ringwatch/base/number_format.h>
 
 namespace ringwatch::detail {
 
@@ -18,11 +18,9 @@ void TextPart::appendTo(std::string& text) const {
     case Kind::natural:
       text += std::to_string(natural_);
       break;
-    case Kind::real: {
-      char digits[32];
-      text.append(digits, static_cast<std::size_t>(std::snprintf(digits, sizeof digits, "%.9g", real_)));
+    case Kind::real:
+      text += digitsOf(real_, 9);
       break;
-    }
   }
 }
 

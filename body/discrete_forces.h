@@ -83,18 +83,19 @@ class DiscreteForces {
   DiscreteForces restrictedTo(std::span<const std::int32_t> nodes) const;
   /// Looks which surfaces touch at x, 3×N; the others do so themselves.
   void locate(NodeVectorsView x) const;
-  /// While it lives, all calls at the very array x look once for the nodes near obstacles; its numbers may not change
-  /// meanwhile, and one thread alone makes and ends looks. discrete: nullptr for none.
-  class Look {
+  /// Keeps the contact of one state: while it lives, calls at the very array x search once for the nodes near
+  /// obstacles. The numbers of x may not change meanwhile, and one thread alone makes and ends it. discrete: nullptr
+  /// for none.
+  class ContactAt {
    public:
-    Look(const DiscreteForces* discrete, NodeVectorsView x) : discrete_(discrete) {
+    ContactAt(const DiscreteForces* discrete, NodeVectorsView x) : discrete_(discrete) {
       if (discrete_) discrete_->remember(x);
     }
-    ~Look() {
+    ~ContactAt() {
       if (discrete_) discrete_->looked_ = nullptr;
     }
-    Look(const Look&) = delete;
-    Look& operator=(const Look&) = delete;
+    ContactAt(const ContactAt&) = delete;
+    ContactAt& operator=(const ContactAt&) = delete;
 
    private:
     const DiscreteForces* discrete_;
@@ -222,7 +223,7 @@ class DiscreteForces {
   std::vector<Spring> springs_;
   std::vector<PenaltyContact> contacts_;
   std::vector<std::int32_t> nodes_, place_;
-  // Of a Look: its array, nullptr for none, and by contact the nodes within the reach.
+  // Of a ContactAt: the array, nullptr for none, and by contact the nodes within the reach.
   mutable const double* looked_ = nullptr;
   mutable std::vector<std::vector<std::int32_t>> near_;
   int threads_ = 1;

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <numbers>
 #include <set>
-#include <sstream>
 
 #include <Eigen/Dense>
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/infinity.h>
+#include <ringwatch/base/number_format.h>
 #include <ringwatch/meshes/jacobian.h>
 
 namespace ringwatch {
@@ -190,19 +190,13 @@ ElementQuality elementQuality(const MeshBlock& block, std::size_t e, const NodeV
 }
 
 std::string ElementShape::text() const {
-  const auto digits = [](double value) {
-    std::ostringstream text;
-    text.precision(2);
-    text << value;
-    return text.str();
-  };
   if (shape == ShapeClass::other)
     return joinText("dihedral angles ", std::round(minDihedral), "° to ", std::round(maxDihedral), "°, aspect ",
-                    digits(aspect));
+                    digitsOf(aspect, 2));
   if (shape == ShapeClass::round || shape == ShapeClass::small) return std::string(shapeName(shape));
   constexpr double sharp = 20;  // degrees; needles and wedges may have no sharp angle
-  return minDihedral < sharp ? joinText(shapeName(shape), ", ", digits(minDihedral), "° dihedral")
-                             : joinText(shapeName(shape), ", aspect ", digits(aspect));
+  return minDihedral < sharp ? joinText(shapeName(shape), ", ", digitsOf(minDihedral, 2), "° dihedral")
+                             : joinText(shapeName(shape), ", aspect ", digitsOf(aspect, 2));
 }
 
 ElementShape elementShape(const MeshBlock& block, std::size_t e, const NodeVectors& x, double meanVolume) {

@@ -4,7 +4,6 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <cstdio>
 #include <cstring>
 #include <numeric>
 #include <optional>
@@ -14,6 +13,7 @@
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/fnv.h>
+#include <ringwatch/base/number_format.h>
 #include <ringwatch/base/rounding.h>
 #include <ringwatch/elements/registry.h>
 #include <ringwatch/meshes/adjacency.h>
@@ -41,11 +41,7 @@ class Bytes {
   }
   void add(std::string_view text) { bytes_ += text; }
   /// Exactly, in hexadecimal digits, after a blank.
-  void addNumber(double number) {
-    char text[40];
-    std::snprintf(text, sizeof text, " %a", number);
-    bytes_ += text;
-  }
+  void addNumber(double number) { bytes_ += ' ' + hexadecimalOf(number); }
   void reserve(std::size_t size) { bytes_.reserve(size); }
   /// With FNV-1a of all that went before, which changes with every change of a single byte.
   std::string sealed() && {

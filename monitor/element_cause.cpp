@@ -3,26 +3,19 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <sstream>
 
 #include <Eigen/LU>
 #include <Eigen/SVD>
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/infinity.h>
+#include <ringwatch/base/number_format.h>
 #include <ringwatch/body/domain.h>
 #include <ringwatch/meshes/jacobian.h>
 #include <ringwatch/monitor/element_strain.h>
 
 namespace ringwatch {
 namespace {
-
-std::string twoDigits(double value) {
-  std::ostringstream text;
-  text.precision(2);
-  text << value;
-  return text.str();
-}
 
 /// element: of the part.
 ElementCause causeHere(const Body& body, NodeVectorsView x, ElementRef element, double meanVolume) {
@@ -81,11 +74,11 @@ std::string causeText(const ElementCause& cause) {
   if (strain == ElementStrain::none)
     text = cause.badlyShaped() ? "" : "well shaped, " + text;
   else if (strain == ElementStrain::inverted)
-    text += ", det F = " + twoDigits(cause.leastDeterminant);
+    text += ", det F = " + digitsOf(cause.leastDeterminant, 2);
   else if (strain == ElementStrain::stretched)
-    text += " " + twoDigits(cause.largestStretch);
+    text += " " + digitsOf(cause.largestStretch, 2);
   else if (strain == ElementStrain::compressed)
-    text += " to " + twoDigits(cause.leastStretch);
+    text += " to " + digitsOf(cause.leastStretch, 2);
   if (cause.badlyShaped()) text += joinText(text.empty() ? "" : "; ", cause.shape.text());
   return text;
 }

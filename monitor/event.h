@@ -15,8 +15,8 @@ namespace ringwatch {
 /// compressed by more than 1e-3 of λ+2μ, the monitor searches for a direction of negative stiffness in the whole body:
 /// 48 tangent products at the first evaluation; 12, from the direction found last, when compression has grown by half
 /// since the last search; and else after 80, 160, … 2560 evaluations. With a budget (MonitorOptions) searches are of 6,
-/// when compression has doubled and there are means for them. With a compression above 0.05 it also evaluates
-/// 32 reduced 1-rings at each of these and after 10 evaluations, with a budget as many as there are means for. A mode
+/// when compression has doubled and the budget affords them. With a compression above 0.05 it also evaluates
+/// 32 reduced 1-rings at each of these and after 10 evaluations, with a budget as many as that affords. A mode
 /// that is far softer than the elements, as of a slender bar that buckles, can be missed; what is told is proven.
 /// eroded: elements have left the body. repeated: a run goes back to the state before this step, since a later one is
 /// not certified. These are told by the run itself, not by a monitor.

@@ -43,8 +43,8 @@ struct MonitorOptions {
   /// proven stable, may take more in small bodies: up to six steps' work.
   double budget = 0.1;
   /// Of the run, as far as known: with a budget the first observation goes beyond the proof of h where all of it takes
-  /// no more than three tenths of the budget of so many steps. What it leaves out follows in the run, when there are
-  /// means for it.
+  /// no more than three tenths of the budget of so many steps. What it leaves out follows in the run, when the budget
+  /// affords it.
   std::int64_t steps = 0;
   /// Before so much is taken there is no limit in bodies of up to some 8000 tetrahedra or 1000 hexahedra, whose
   /// brackets would be wide for the sake of milliseconds; units of WorkAccount: some 0.2 s.

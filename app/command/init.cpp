@@ -10,6 +10,7 @@
 #include <ringwatch/app/scene/number_text.h>
 #include <ringwatch/app/scene/scene.h>
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/number_format.h>
 #include <ringwatch/base/user_text.h>
 #include <ringwatch/materials/registry.h>
 #include <ringwatch/meshes/mesh_io.h>
@@ -78,7 +79,7 @@ std::string initScene(InitOptions options, const Ask& ask) {
     const auto numbers = numbersOf(ask(fmt::format("{} (Enter: {:.2g})", question, crossings * crossing)), 1, question);
     if (!numbers.empty()) options.end = numbers[0];
   }
-  const double end = options.end.value_or(std::stod(fmt::format("{:.2g}", crossings * crossing)));
+  const double end = options.end.value_or(*readNumber(fmt::format("{:.2g}", crossings * crossing)));
 
   writeScene(options.scene,
              fmt::format(R"(# Run it: ringwatch run {0} --report

@@ -13,6 +13,7 @@
 #include <ringwatch/app/scene/scene_discrete.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/input_file.h>
+#include <ringwatch/base/number_format.h>
 #include <ringwatch/body/discrete_forces.h>
 #include <ringwatch/body/element_stress.h>
 #include <ringwatch/meshes/adjacency.h>
@@ -52,7 +53,7 @@ std::vector<PvdEntry> framesOfRun(const std::filesystem::path& folder) {
   };
   for (std::size_t at = text.find("<DataSet"); at != std::string::npos; at = text.find("<DataSet", at + 1)) {
     const std::string time = attribute(at, "timestep");
-    entries.push_back({std::strtod(time.c_str(), nullptr), attribute(at, "file")});
+    entries.push_back({readNumber(time).value_or(0), attribute(at, "file")});
   }
   return entries;
 }

@@ -8,6 +8,7 @@
 #include <ringwatch/app/output/output_fields.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/input_file.h>
+#include <ringwatch/base/number_format.h>
 #include <ringwatch/base/units.h>
 
 namespace ringwatch {
@@ -64,7 +65,7 @@ std::vector<HistoryRow> readHistory(const std::filesystem::path& folder) {
     const std::size_t count = historyColumns().size();
     if (cells.size() != count)
       throw InputError(fmt::format("{}: row {} has {} cells, not {}", path.string(), rows.size(), cells.size(), count));
-    const auto number = [&](std::size_t i) { return std::strtod(cells[i].c_str(), nullptr); };
+    const auto number = [&](std::size_t i) { return readNumber(cells[i]).value_or(0); };
     HistoryRow& row = rows.emplace_back();
     row.step = std::strtoll(cells[0].c_str(), nullptr, 10);
     row.time = number(1);

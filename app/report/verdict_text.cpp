@@ -10,6 +10,7 @@
 #include <ringwatch/app/report/json_read.h>
 #include <ringwatch/app/scene/capabilities.h>
 #include <ringwatch/base/infinity.h>
+#include <ringwatch/base/number_format.h>
 
 namespace ringwatch {
 namespace {
@@ -221,7 +222,7 @@ void adviseHandler(PageVerdict& verdict, const Json& summary, const RunAnalysis*
 /// Four digits of a step; the next ones below or above where these are on the other side of it.
 std::string rounded(double step, int side) {
   std::string text = fmt::format("{:.4g}", step);
-  if (!(step > 0) || !std::isfinite(step) || side * (std::stod(text) - step) >= 0) return text;
+  if (!(step > 0) || !std::isfinite(step) || side * (*readNumber(text) - step) >= 0) return text;
   return fmt::format("{:.4g}", step + side * 0.5 * std::pow(10, std::floor(std::log10(step)) - 3));
 }
 

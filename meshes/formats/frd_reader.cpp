@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include <ringwatch/base/number_format.h>
 #include <ringwatch/meshes/formats/file_cursor.h>
 #include <ringwatch/meshes/formats/mesh_builder.h>
 #include <ringwatch/meshes/formats/mesh_readers.h>
@@ -81,13 +82,12 @@ class FrdText {
       } else {
         while (at < text.size() && std::isalpha(static_cast<unsigned char>(text[at]))) number += text[at++];
       }
-      char* end = nullptr;
-      const double value = std::strtod(number.c_str(), &end);
-      if (number.empty() || *end != '\0' || at < field + 12 || (at < text.size() && !isOneOf(at, " +-0123456789")))
+      const std::optional<double> value = readNumber(number);
+      if (!value || at < field + 12 || (at < text.size() && !isOneOf(at, " +-0123456789")))
         failAt(line.position,
                joinText(what(values.size()), " is ", detail::quoted(text.substr(begin, text.find(' ', begin) - begin)),
                         "; it must be a number"));
-      values.push_back(value);
+      values.push_back(*value);
     }
     return values;
   }

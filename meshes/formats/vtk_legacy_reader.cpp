@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 
+#include <ringwatch/base/number_format.h>
 #include <ringwatch/meshes/formats/file_cursor.h>
 #include <ringwatch/meshes/formats/mesh_builder.h>
 #include <ringwatch/meshes/formats/mesh_readers.h>
@@ -268,11 +269,10 @@ class LegacyReader {
         continue;
       }
       nextWord("a field value");
-      const std::string word(cursor_.word("a field value"));
-      char* end = nullptr;
-      value = std::strtod(word.c_str(), &end);
-      if (end == word.c_str() || *end != '\0')
-        cursor_.fail(joinText("a field value is ", detail::quoted(word), "; it must be a number"));
+      const std::string_view word = cursor_.word("a field value");
+      const std::optional<double> read = readNumber(word);
+      if (!read) cursor_.fail(joinText("a field value is ", detail::quoted(word), "; it must be a number"));
+      value = *read;
     }
     endData();
     return values;

@@ -22,7 +22,7 @@ IncrementalExchangeBound::IncrementalExchangeBound(const Body& body, const Nodal
     : body_(body),
       account_(account),
       policy_(policy),
-      certificate_(body, weights, account.limited() ? policy.roomInShortage : ExchangeRoomPolicy{}) {}
+      certificate_(body, weights, account.limited() ? policy.roomUnderBudget : ExchangeRoomPolicy{}) {}
 
 void IncrementalExchangeBound::charge(WorkOn what, double work) {
   Work own;
@@ -43,7 +43,7 @@ UpperBound IncrementalExchangeBound::update(NodeVectorsView x, UpperBound nodal,
   // The proof goes on whatever the account has, and takes less where that is little.
   const bool nothing = !account_.affords(0), plenty = !account_.limited() || account_.affords(expected_);
   certificate_.follow(x, policy_.mostRaise,
-                      nothing  ? policy_.partInShortage
+                      nothing  ? policy_.partUnderBudget
                       : plenty ? policy_.leastPart
                                : policy_.part,
                       evaluation);
@@ -108,7 +108,7 @@ UpperBound IncrementalExchangeBound::narrow(NodeVectorsView x, UpperBound nodal,
   if (again) expected_ = spent;
   first_ = false;
   evaluated_ += certificate_.factored();
-  // Iterations that ended for lack of means go on the next time.
+  // Iterations that ended for lack of budget go on the next time.
   const bool ended = certificate_.holds() && work.iterations < mostIterations;
   achieved_ = ended ? certificate_.certifiedEigenvalue() / lower.value : 0;
   serves_ = certificate_.certifiedEigenvalue() < nodal.value;

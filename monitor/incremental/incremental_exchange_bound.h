@@ -19,11 +19,11 @@ struct ExchangeRunPolicy {
   int firstIterations = 40, iterations = 12;
   /// What shares that are made anew are taken to cost before it is known, decompositions an element.
   double expected = 3;
-  /// Part of the room that balls are to have: with means for new shares, without, and where nothing is left. More room
-  /// costs a raise, and less is proven anew more often.
-  double leastPart = 0.25, part = 0.7, partInShortage = 1.5;
+  /// Part of the room that balls are to have: where the budget affords new shares, where it does not, and where nothing
+  /// is left. More room costs a raise, and less is proven anew more often.
+  double leastPart = 0.25, part = 0.7, partUnderBudget = 1.5;
   /// The room that shares have where there is a limit to the work: elements leave larger balls less often.
-  ExchangeRoomPolicy roomInShortage{.room = 0.04, .mostCost = 0.06};
+  ExchangeRoomPolicy roomUnderBudget{.room = 0.04, .mostCost = 0.06};
   /// Largest raise of the certified eigenvalue at once; what needs more has lost its proof.
   double mostRaise = 1.15;
   /// The certified eigenvalue above the one of the weights from which it is not followed.
@@ -37,7 +37,7 @@ struct ExchangeRunPolicy {
 
 /// The exchange bound along a run beside the incremental nodal bound: where weights are loose it makes shares, follows
 /// them (ExchangeCertificate; Theorem 76, docs/theory/incremental_exchange.md), and makes them anew where the bracket
-/// has become too wide and there are means for it.
+/// has become too wide and the budget affords it.
 class IncrementalExchangeBound {
  public:
   /// weights: those of the nodal bound. All by reference.

@@ -77,9 +77,9 @@ IncrementalNodalBound::Outcome IncrementalNodalBound::follow(NodeVectorsView x, 
 
 std::vector<ElementRef> IncrementalNodalBound::raiseForMost(NodeVectorsView x, const std::vector<ElementRef>& outside,
                                                             double ceiling) {
-  std::vector<RunCertificate::Leaver> leavers = state_.growBalls(x, outside);
+  std::vector<RunCertificate::ElementOutside> violating = state_.growBalls(x, outside);
   // The neediest first, of which there are few before a raise serves the rest.
-  std::make_heap(leavers.begin(), leavers.end());
+  std::make_heap(violating.begin(), violating.end());
   const double top = ceiling / certifiedEigenvalue();
   std::vector<ElementRef> evaluated;
   std::vector<std::size_t> counts(body_.blocks().size(), 0);  // of evaluated, by block
@@ -87,31 +87,31 @@ std::vector<ElementRef> IncrementalNodalBound::raiseForMost(NodeVectorsView x, c
     return WorkAccount::ofEvaluation(*body_.blocks()[e.block], counts[e.block]);
   };
   double needed = 0;
-  for (; !leavers.empty(); std::pop_heap(leavers.begin(), leavers.end()), leavers.pop_back()) {
-    const RunCertificate::Leaver* const leaver = &leavers.front();
-    const double own = workOf(leaver->element);
-    const bool far = leaver->need > policy_.mostRaise, forProof = leaver->need > top;
-    const double credit = far ? account_->credit() : 0;
+  for (; !violating.empty(); std::pop_heap(violating.begin(), violating.end()), violating.pop_back()) {
+    const RunCertificate::ElementOutside* const outsider = &violating.front();
+    const double own = workOf(outsider->element);
+    const bool far = outsider->need > policy_.mostRaise, forProof = outsider->need > top;
+    const double overdraft = far ? account_->overdraft() : 0;
     // A raise would cost more than a few evaluations.
     const bool few = needed + own <= policy_.evaluationsForRaise * WorkAccount::ofMove(body_);
-    if (leaver->need == infinity || few || affords(needed + own - credit))
+    if (outsider->need == infinity || few || affords(needed + own - overdraft))
       needed += own;
     else if (forProof && account_->affordsForProof(ofProof_ + own))
       ofProof_ += own;
     else
       break;
-    evaluated.push_back(leaver->element);
-    ++counts[leaver->element.block];
+    evaluated.push_back(outsider->element);
+    ++counts[outsider->element.block];
   }
-  if (leavers.empty()) return evaluated;
-  state_.moveTo(std::max(leavers.front().need, policy_.raise) * certifiedEigenvalue());
+  if (violating.empty()) return evaluated;
+  state_.moveTo(std::max(violating.front().need, policy_.raise) * certifiedEigenvalue());
   ++state_.statistics().raises;
-  for (const RunCertificate::Leaver& refused : leavers) {
+  for (const RunCertificate::ElementOutside& refused : violating) {
     account_->refuse(workOf(refused.element));
     ++counts[refused.element.block];
   }
   account_->ballsGrow();
-  state_.growBalls(leavers);
+  state_.growBalls(violating);
   return evaluated;
 }
 
@@ -142,7 +142,7 @@ IncrementalNodalBound::Outcome IncrementalNodalBound::mend(NodeVectorsView x, bo
   const bool many =
       static_cast<double>(violations) > policy_.tooManyViolations * static_cast<double>(body_.mesh().elementCount());
   if (many && affords(WorkAccount::ofRebuild(body_))) return Outcome::tooManyViolations;
-  // Raising is all that is left once an update was refused, and to the bound where means are short.
+  // Raising is all that is left once an update was refused, and to the bound, under a budget.
   bool updates = !many;
   std::vector<ElementRef> raised;
   const auto update = [&](ElementRef e) {
@@ -183,7 +183,7 @@ void IncrementalNodalBound::beginCounting() {
   state_.statistics() = {};
 }
 
-void IncrementalNodalBound::rest(std::span<const ExchangeCertificate::Seen> seen) {
+void IncrementalNodalBound::skip(std::span<const ExchangeCertificate::Seen> seen) {
   beginCounting();
   nearLimit_.clear();
   for (const ExchangeCertificate::Seen& element : seen)
@@ -218,14 +218,14 @@ UpperBound IncrementalNodalBound::update(NodeVectorsView x, StepEvaluation* eval
   refreshes_.tick();
   lowerings_.tick();
   if (!started_ && evaluation) body_.evaluate(x, *evaluation, workspace_);
-  if (spared_) ceiling = infinity;
-  // A proof that is lost already has no ceiling; where means are short it is won again when there are some for it.
+  if (secondary_) ceiling = infinity;
+  // A proof that is lost has no ceiling; under a budget it is made again when that affords it.
   const double wanted = ceiling;
   if (started_ && certifiedEigenvalue() > ceiling) ceiling = infinity;
   const bool first = !started_;
   const Outcome outcome = started_ ? follow(x, true, ceiling, evaluation) : Outcome::tooManyViolations;
   if (outcome == Outcome::tooManyViolations) {
-    // A first proof of the step that is taken is enough to begin with, unless there are means for all of it.
+    // A first proof of the step that is taken is enough to begin with, unless the budget affords all of it.
     if (first && std::isfinite(ceiling) && !(limited() && account_->affordsAtStart(WorkAccount::ofRebuild(body_))))
       rebuild(x, firstTarget(ceiling / (1 + policy_.slack), 0));
     else
@@ -311,7 +311,7 @@ double IncrementalNodalBound::withRoom(LowerBound lower, double width, double sh
 
 double IncrementalNodalBound::highest(LowerBound lower, double width) {
   if (tightOverLower_ == 0 && lower.value > 0) tightOverLower_ = state_.weights().last() / lower.value;
-  // Weights that ended early say nothing of what others would give, once there are means for these.
+  // Weights that ended early say nothing of what others would give, once the budget affords others.
   const bool forAll = limited() && endedEarly_ && rebuilds_.due() && affords(WorkAccount::ofRebuild(body_));
   return forAll ? above(lower, width) : withRoom(lower, width, 1);
 }

@@ -26,14 +26,14 @@ inline double above(LowerBound lower, double width) { return (1 + width) * (1 + 
 /// update or certify starts from scratch.
 class IncrementalNodalBound {
  public:
-  /// account: what may be spent; it must outlive this. nullptr: no limit. Without means the bound stays proven and
-  /// becomes wider.
+  /// account: what may be spent; it must outlive this. nullptr: no limit. Without a budget left the bound stays proven
+  /// and becomes wider.
   explicit IncrementalNodalBound(const Body& body, const RebuildPolicy& policy = {}, WorkAccount* account = nullptr);
 
   /// The certified eigenvalue, proven at positions x (3×N, m). NaN when x or the tangent is not finite. Unless nullptr,
   /// `evaluation` is filled in at x: elements are tested in the one pass that computes what it asks for. Its visitor is
   /// not used.
-  /// While means are short the certified eigenvalue rises instead of elements being evaluated, but not above `ceiling`:
+  /// Under a budget the certified eigenvalue rises instead of elements being evaluated, but not above `ceiling`:
   /// up to there the proof goes before the account.
   UpperBound update(NodeVectorsView x, StepEvaluation* evaluation = nullptr,
                     double ceiling = std::numeric_limits<double>::infinity());
@@ -57,9 +57,9 @@ class IncrementalNodalBound {
 
   /// At an observation that something else proves alone: nothing is evaluated. seen: the elements that it looked at.
   /// What is kept is of the positions of the last update or certify, from which the next one goes on.
-  void rest(std::span<const ExchangeCertificate::Seen> seen);
-  /// While something else proves more: elements are evaluated only where nothing else helps, as without means.
-  void spare(bool spared) { spared_ = spared; }
+  void skip(std::span<const ExchangeCertificate::Seen> seen);
+  /// While something else proves more: elements are evaluated only where nothing else helps, as without a budget left.
+  void setSecondary(bool secondary) { secondary_ = secondary; }
   /// The bound of the best weights, where they have been made anew since the last call and their sweeps were not ended
   /// early; else 0.
   double takeTight() { return std::exchange(tight_, 0); }
@@ -92,7 +92,7 @@ class IncrementalNodalBound {
     ElementRef element;
   };
   /// The elements evaluated at the last update that were above RebuildPolicy::nearLimit, largest first, before any
-  /// local update: where the highest eigenvalue may have come to. Where means are short the certified eigenvalue may
+  /// local update: where the highest eigenvalue may have come to. Under a budget the certified eigenvalue may
   /// be far too high: then also those that are above noteFrom().
   const std::vector<NearLimit>& nearLimit() const { return nearLimit_; }
   /// A search has found the highest eigenvalue here to be at least `found`, where the bound that is followed along the
@@ -118,7 +118,7 @@ class IncrementalNodalBound {
   /// The account is the owner's.
   template <class Archive>
   void archive(Archive& a) {
-    a(policy_.slack, spent_, sinceRebuild_, ofProof_, state_, started_, endedEarly_, spared_, tight_, notedFrom_,
+    a(policy_.slack, spent_, sinceRebuild_, ofProof_, state_, started_, endedEarly_, secondary_, tight_, notedFrom_,
       nearLimit_, rebuilds_, refreshes_, lowerings_, tightOverLower_);
     archiveVersion(a, bodyVersion_, body_.version());
   }
@@ -126,10 +126,10 @@ class IncrementalNodalBound {
  private:
   /// Whether the account, less what the statistics count, has so much.
   bool affords(double work) const {
-    return !spared_ && (!account_ || account_->affords(state_.statistics().work.besideTests() - ofProof_ + work));
+    return !secondary_ && (!account_ || account_->affords(state_.statistics().work.besideTests() - ofProof_ + work));
   }
-  bool limited() const { return account_ && (spared_ || account_->limited()); }
-  /// An eigenvalue that leaves a share of the width above the lower bound; where means are short, of the slack above
+  bool limited() const { return account_ && (secondary_ || account_->limited()); }
+  /// An eigenvalue that leaves a share of the width above the lower bound; under a budget, of the slack above
   /// the tight bound too: less would be lost to elements that leave their balls.
   double withRoom(LowerBound lower, double width, double share) const;
   /// Takes from the account what the statistics count, and begins to count again.
@@ -152,8 +152,8 @@ class IncrementalNodalBound {
   /// Brings a certificate from the positions of the last call to x. Unless mayRaise, the certified eigenvalue stays,
   /// and `refused` tells that it had to rise nevertheless.
   Outcome follow(NodeVectorsView x, bool mayRaise, double ceiling, StepEvaluation* evaluation);
-  /// Of elements that have left their balls, those that are evaluated: as far as means go, and on credit where the
-  /// certified eigenvalue would have to rise far or above the ceiling. For the others it is raised.
+  /// Of elements that have left their balls, those that are evaluated: as far as the budget goes, and by overdraft
+  /// where the certified eigenvalue would have to rise far or above the ceiling. For the others it is raised.
   std::vector<ElementRef> raiseForMost(NodeVectorsView x, const std::vector<ElementRef>& outside, double ceiling);
   /// Evaluates elements, and notes those near their limits. False where a value is not finite.
   bool evaluate(NodeVectorsView x, const std::vector<ElementRef>& elements);
@@ -171,7 +171,7 @@ class IncrementalNodalBound {
   RunCertificate state_;
   Body::Workspace workspace_;
   bool started_ = false, endedEarly_ = false;  // endedEarly_: the last rebuild, since its weights were good enough
-  bool spared_ = false;
+  bool secondary_ = false;
   double tight_ = 0, notedFrom_ = infinity;
   std::int64_t bodyVersion_ = 0;  // that the proof is for
   std::vector<NearLimit> nearLimit_;

@@ -75,9 +75,9 @@ PartBracket::PartBracket(const Body& body, double width, bool threshold)
 
 bool PartBracket::checkElements(NodeVectorsView x, StepEvaluation& evaluation) {
   std::vector<ElementRef> evaluated, raised;
-  for (const RunCertificate::Leaver& leaver :
+  for (const RunCertificate::ElementOutside& outsider :
        certificate_.growBalls(x, certificate_.elementsOutsideBall(x, &evaluation)))
-    evaluated.push_back(leaver.element);
+    evaluated.push_back(outsider.element);
   std::vector<RunCertificate::Reference> now;
   certificate_.evaluate(x, evaluated, false, now);
   bool finite = true;

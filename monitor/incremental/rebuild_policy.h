@@ -32,9 +32,9 @@ struct RebuildPolicy {
   /// Room below a caller's eigenvalue that a proof for it must have: without any, all validity balls would be points.
   double proofMargin = 1e-3;
 
-  // While means are short.
+  // Under a budget.
   /// The most by which the certified eigenvalue rises at once for elements that have left their balls; those that need
-  /// more are evaluated on credit.
+  /// more are evaluated by overdraft.
   double mostRaise = 1.1;
   /// The work of evaluations that are done at an update whatever there is for it, over that of the raise instead.
   double evaluationsForRaise = 0.25;

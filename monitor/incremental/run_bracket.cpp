@@ -40,7 +40,7 @@ RunBracket::RunBracket(const Body& body, double width, double budget, std::int64
 
 const std::optional<CriticalStep>& RunBracket::evaluate(NodeVectorsView x, const StepRule& limit,
                                                         std::optional<double> h, StepEvaluation* evaluation) {
-  const DiscreteForces::Look look(body_.discreteForces(), x);
+  const DiscreteForces::ContactAt contact(body_.discreteForces(), x);
   account_.earn(uncertified_);
   follow(x, limit, h, evaluation);
   if (step_ && h && account_.limited()) prepareRest(x);
@@ -84,18 +84,18 @@ const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const S
   UpperBound nodal{infinity}, upper{infinity};
   const bool turns = restRuns_ && rest_->started() && !exchange_.serves() && followsFromRest(x, evaluation, upper),
              moves = turns || (!h && follows(x, evaluation, upper));
-  // Where means are short the weights rest while shares prove more than they did, and the step.
-  bool rests = moves || (account_.limited() && exchange_.serves() && !uncertified_);
-  if (rests && !moves) {
+  // Under a budget the weights are not updated while shares prove more than they did, and the step.
+  bool skips = moves || (account_.limited() && exchange_.serves() && !uncertified_);
+  if (skips && !moves) {
     upper = exchange_.update(x, nodal, evaluation);
     evaluation = nullptr;
-    rests = upper.value < std::min(sigma, ceiling);
+    skips = upper.value < std::min(sigma, ceiling);
   }
-  if (rests) {
-    nodal_.rest(turns ? rest_->seen() : moves ? moved_->seen() : exchange_.certificate().seen());
+  if (skips) {
+    nodal_.skip(turns ? rest_->seen() : moves ? moved_->seen() : exchange_.certificate().seen());
     finite_ = !std::isnan(upper.value);
   } else {
-    nodal_.spare(exchange_.serves());
+    nodal_.setSecondary(exchange_.serves());
     nodal = nodal_.update(x, evaluation, ceiling);
     finite_ = std::isfinite(nodal.value);
   }
@@ -105,7 +105,7 @@ const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const S
     forget();
     return step_;
   }
-  if (!rests) upper.value = std::min(nodal.value, exchange_.update(x, nodal).value);
+  if (!skips) upper.value = std::min(nodal.value, exchange_.update(x, nodal).value);
   uncertified_ = h && *h > safeStep(upper, limit);
   method_ = "rayleigh-quotient";
   LowerBound lower{0};
@@ -141,13 +141,13 @@ const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const S
   }
   if (lower.value > followed.value) nodal_.correctLowerBound(followed, lower);
   searchUnderCompression(x);
-  if (!rests) {
+  if (!skips) {
     nodal_.relaxBound(lower, width_, ceiling);
     nodal.value = std::max(nodal.value, nodal_.certifiedEigenvalue());
   }
   if (!moves)
     upper.value = std::min(nodal.value, exchange_.narrow(x, nodal, nodal_.takeTight(), mode_, lower, width_).value);
-  if (!rests && upper.value > nodal_.highest(lower, width_) && nodal_.tightenBound(x, lower, width_)) {
+  if (!skips && upper.value > nodal_.highest(lower, width_) && nodal_.tightenBound(x, lower, width_)) {
     statistics_.evaluated += nodal_.statistics().evaluated;
     nodal = nodal_.update(x);
     upper.value = std::min(upper.value, nodal.value);
@@ -215,9 +215,10 @@ void RunBracket::spendOnSweeps(double work) {
 }
 
 bool RunBracket::followsFromRest(NodeVectorsView x, StepEvaluation*& evaluation, UpperBound& upper) {
-  const double enough = above(local_.last(), width_), ofProof = uncertified_ ? account_.meansForProof() : 0,
-               means = account_.means() + ofProof;
-  upper = rest_->update(x, evaluation, enough, static_cast<std::int64_t>(means / WorkAccount::ofReferences(body_, 1)));
+  const double enough = above(local_.last(), width_), ofProof = uncertified_ ? account_.availableForProof() : 0,
+               affordable = account_.available() + ofProof;
+  upper =
+      rest_->update(x, evaluation, enough, static_cast<std::int64_t>(affordable / WorkAccount::ofReferences(body_, 1)));
   evaluation = nullptr;
   Work work;
   work[WorkOn::tests] = WorkAccount::ofMotions(body_);
@@ -267,7 +268,7 @@ double RunBracket::workOfStepBesideMoved() const {
 }
 
 bool RunBracket::certify(NodeVectorsView x, const StepRule& limit, double h, StepEvaluation* evaluation) {
-  const DiscreteForces::Look look(body_.discreteForces(), x);
+  const DiscreteForces::ContactAt contact(body_.discreteForces(), x);
   account_.earn(uncertified_);
   const double sigma = limit.lambdaFor(h);
   std::int64_t before = 0;
@@ -281,14 +282,14 @@ bool RunBracket::certify(NodeVectorsView x, const StepRule& limit, double h, Ste
   if (exchange_.proves(sigma)) {
     const bool proven = exchange_.certify(x, sigma, evaluation);
     evaluation = nullptr;
-    nodal_.rest(exchange_.certificate().seen());
+    nodal_.skip(exchange_.certificate().seen());
     statistics_ = nodal_.statistics();
     before = statistics_.evaluated = exchange_.evaluated();
     if (proven) return certified();
   }
-  // What is certified goes beyond the budget no more than the means for proofs do.
+  // What is certified goes beyond the budget no more than what is kept for proofs.
   if (cheapest_.due() && (!observed() || account_.affords(0) || account_.affordsForProof(0))) {
-    nodal_.spare(false);
+    nodal_.setSecondary(false);
     const bool proven = nodal_.certify(x, sigma, evaluation);
     evaluation = nullptr;
     statistics_ = nodal_.statistics();
@@ -415,9 +416,9 @@ void RunBracket::searchUnderCompression(NodeVectorsView x) {
   lowestHere_ = {0, {}};
   const double compression = nodal_.mostCompression();
   search_.tick();
-  const double growth = account_.limited() ? policy_.growthInShortage : policy_.growthOfCompression;
+  const double growth = account_.limited() ? policy_.growthUnderBudget : policy_.growthOfCompression;
   const bool grown = compression > growth * searchedAt_ && search_.since() >= policy_.searchGap;
-  const int later = account_.limited() ? policy_.searchInShortage : policy_.laterSearch;
+  const int later = account_.limited() ? policy_.searchUnderBudget : policy_.laterSearch;
   const bool may = affordsSearch(WorkAccount::ofProducts(body_, later + 1));
   const bool search = compression > policy_.slightlyCompressed && (grown || search_.due()) && may;
   if (search) {
@@ -434,7 +435,7 @@ void RunBracket::searchUnderCompression(NodeVectorsView x) {
   examination_.tick();
   if (!examination_.due() && !search) return;
   examination_.tried(true);
-  // The lowest so far, the most compressed ones, and others by turns: one at least, and more as far as means go.
+  // The lowest so far, the most compressed ones, and others by turns: one at least, and more as far as the budget goes.
   std::vector<ElementRef> chosen;
   if (lowest_.value < 0) chosen.push_back(lowest_.element);
   for (const ElementRef e : nodal_.mostCompressed(policy_.compressed, policy_.compressedRings)) {
@@ -502,23 +503,23 @@ bool RunBracket::searchStiffNodes(NodeVectorsView x, std::size_t nodes, LowerBou
 LowerBound RunBracket::boundWhereItTouches(NodeVectorsView x, LowerBound lower) {
   const DiscreteForces* discrete = body_.discreteForces();
   if (!discrete) return lower;
-  std::map<std::int32_t, double> own;  // by node
+  std::map<std::int32_t, double> alone;  // by node
   discrete->forEachBlock(x, [&](std::int32_t i, std::int32_t j, const Eigen::Matrix3d& block) {
-    if (i == j && body_.constraints().freeComponents(i) > 0) own[i] += block.trace() / body_.lumpedMass()[i];
+    if (i == j && body_.constraints().freeComponents(i) > 0) alone[i] += block.trace() / body_.lumpedMass()[i];
   });
   double highest = 0;
   std::int32_t node = -1;
-  auto before = own_.begin();
-  for (const auto& [i, value] : own) {
-    while (before != own_.end() && before->node < i) ++before;
-    const double known = before != own_.end() && before->node == i ? std::max(before->value, 0.0) : 0;
+  auto before = discreteAlone_.begin();
+  for (const auto& [i, value] : alone) {
+    while (before != discreteAlone_.end() && before->node < i) ++before;
+    const double known = before != discreteAlone_.end() && before->node == i ? std::max(before->value, 0.0) : 0;
     const bool risen = value > (1 + policy_.leastGain) * known;
     if (!(value > highest) || !(risen || value > (1 + policy_.leastGain) * lower.value)) continue;
     highest = value;
     node = i;
   }
-  own_.clear();
-  for (const auto& [i, value] : own) own_.push_back({value, i});
+  discreteAlone_.clear();
+  for (const auto& [i, value] : alone) discreteAlone_.push_back({value, i});
   if (node < 0) return lower;
   // One ring is enough: the others at the node have the same contact.
   const std::vector<ElementRef> elements = nodal_.weights().elementsAt(std::span<const std::int32_t>(&node, 1));

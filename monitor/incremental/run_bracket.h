@@ -25,7 +25,7 @@ struct BracketPolicy {
   /// bracket (in the step): 2 would use all of the width; the rest is for the lower side.
   double slackOfWidth = 1.6;
 
-  /// Where means are short the slack grows at every observation by up to this share, and shrinks by less where there
+  /// Under a budget the slack grows at every observation by up to this share, and shrinks by less where there
   /// are some; the most.
   double widening = 0.03, narrowing = 0.01, mostSlack = 1.5;
 
@@ -40,7 +40,7 @@ struct BracketPolicy {
   std::size_t leastLocalNodes = 24, mostLocalNodes = 512;
   double lostInRegion = 0.02;
   int localProducts = 3, localGap = 4;
-  /// Where means are short no region is chosen whose bound takes more than this share of them, but one of so few nodes.
+  /// Under a budget no region is chosen whose bound takes more than this share of it, but one of so few nodes.
   double shareOfRegion = 0.7;
   std::size_t fewestLocalNodes = 8;
   /// The whole mode is refreshed that seldom while it does not help: while the region's bound gains less than leastGain
@@ -60,11 +60,11 @@ struct BracketPolicy {
   /// direction is searched in the whole body.
   double compressed = 0.05, slightlyCompressed = 1e-3;
   std::size_t compressedRings = 16;
-  /// Tangent products of the first search, of the others, and of these where means are short.
-  int firstSearch = 48, laterSearch = 12, searchInShortage = 6;
-  /// Growth of compression since the last search that asks for one, after searchGap evaluations, and the same where
-  /// means are short; else searches become more and more seldom.
-  double growthOfCompression = 1.5, growthInShortage = 2;
+  /// Tangent products of the first search, of the others, and of these under a budget.
+  int firstSearch = 48, laterSearch = 12, searchUnderBudget = 6;
+  /// Growth of compression since the last search that asks for one, after searchGap evaluations, and the same under
+  /// a budget; else searches become more and more seldom.
+  double growthOfCompression = 1.5, growthUnderBudget = 2;
   int searchGap = 40;
   Backoff::Gaps searches{.first = 160, .last = 2560, .factor = 2};
 
@@ -86,7 +86,7 @@ struct BracketPolicy {
   /// so that shares are made at once: 5 % of the step.
   double hardlyProven = 0.9;
 
-  /// Where means are short and the step is not certified, the mode is searched among so many of the stiffest nodes, in
+  /// Under a budget, while the step is not certified, the mode is searched among so many of the stiffest nodes, in
   /// regions of so many nodes, by turns with being followed; at the first evaluation that is ended early, among more.
   std::size_t stiffNodes = 2, firstStiffNodes = 8, nodesAround = 24;
 };
@@ -141,10 +141,10 @@ class RunBracket {
 
   template <class Archive>
   void archive(Archive& a) {
-    a(slack_, account_, spent_, atShares_, uncertified_, nodal_, exchange_, local_, localNodes_, regionBound_, own_,
-      softest_, mode_, method_, statistics_, bracketed_, finite_, cheapest_, sharpening_, sharpeningRestart_,
-      searchesNext_, wholeMode_, restart_, search_, examination_, lowest_, nextCompressed_, least_, searchedAt_, step_,
-      best_, bestAt_, gain_, ofMoved_, observations_);
+    a(slack_, account_, spent_, atShares_, uncertified_, nodal_, exchange_, local_, localNodes_, regionBound_,
+      discreteAlone_, softest_, mode_, method_, statistics_, bracketed_, finite_, cheapest_, sharpening_,
+      sharpeningRestart_, searchesNext_, wholeMode_, restart_, search_, examination_, lowest_, nextCompressed_, least_,
+      searchedAt_, step_, best_, bestAt_, gain_, ofMoved_, observations_);
     a(restRuns_, restEndedEarly_, restFailed_, leastCertified_);
     archiveOptional(a, rest_, body_);
     archiveOptional(a, moved_, body_);
@@ -159,12 +159,13 @@ class RunBracket {
   /// could be, and given up when it takes more than it saves. `evaluation` is filled in, and becomes nullptr.
   bool follows(NodeVectorsView x, StepEvaluation*& evaluation, UpperBound& upper);
   /// Makes the bound at rest; lets it run once the certified eigenvalue has risen, since in slow motion validity balls
-  /// take less; and makes it again, with better weights, where these were ended early and there are means.
+  /// take less; and makes it again, with better weights, where these were ended early and the budget affords it.
   void prepareRest(NodeVectorsView x);
   /// By the weights of the first observation, which is free; later by new ones, which are paid for.
   void makeRest(NodeVectorsView x);
   void spendOnSweeps(double work);
-  /// The upper side by the bound at rest, as narrow as means allow. `evaluation` is filled in, and becomes nullptr.
+  /// The upper side by the bound at rest, as narrow as the budget allows. `evaluation` is filled in, and becomes
+  /// nullptr.
   bool followsFromRest(NodeVectorsView x, StepEvaluation*& evaluation, UpperBound& upper);
   bool observed() const { return observations_ > 0; }
   /// What a step takes beside the moved bound, on average.
@@ -220,7 +221,7 @@ class RunBracket {
 
   const Body& body_;
   BracketPolicy policy_;
-  double width_, slack_;  // slack_: of the certified eigenvalue, as large as means make it
+  double width_, slack_;  // slack_: of the certified eigenvalue, as large as the budget makes it
   WorkAccount account_;
   Work spent_;                // on the lower side and on searches
   double atShares_ = 0;       // workOfProofs() when shares were made last in threshold mode
@@ -241,11 +242,11 @@ class RunBracket {
   std::size_t localNodes_;
   LowerBound regionBound_{0};  // when the region was chosen last
   /// What discrete forces give a node alone, rad²/s².
-  struct Own {
+  struct DiscreteAlone {
     double value;
     std::int32_t node;
   };
-  std::vector<Own> own_;  // where they are at the last evaluation, by node
+  std::vector<DiscreteAlone> discreteAlone_;  // where they are at the last evaluation, by node
   NodeSubmatrix ringNodes_;
   LowestModeSearch softest_;
   Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver_;
@@ -257,7 +258,7 @@ class RunBracket {
   Backoff cheapest_;
   // Of sharpen(): refreshes, in observations; restarts from all rings, in refreshes.
   Backoff sharpening_, sharpeningRestart_;
-  bool searchesNext_ = true;  // where means are short: the mode is searched, else followed
+  bool searchesNext_ = true;  // under a budget: the mode is searched, else followed
   // In evaluations: of the whole mode, restarts from all rings, searches for a negative direction, compressed rings.
   Backoff wholeMode_, restart_, search_, examination_;
   LowestRing lowest_{0, {}}, lowestHere_{0, {}};  // lowestHere_: of what was evaluated at the very state

@@ -221,8 +221,8 @@ void RunCertificate::reduceBesideDiscreteForces() {
   }
 }
 
-std::vector<RunCertificate::Leaver> RunCertificate::growBalls(NodeVectorsView x,
-                                                              const std::vector<ElementRef>& elements) {
+std::vector<RunCertificate::ElementOutside> RunCertificate::growBalls(NodeVectorsView x,
+                                                                      const std::vector<ElementRef>& elements) {
   needs_.resize(elements.size());
   forEachPack(elements, [&](std::int32_t b, const std::int32_t* pack, const std::size_t* index) {
     const ElementBlock& block = *body().blocks()[b];
@@ -245,20 +245,20 @@ std::vector<RunCertificate::Leaver> RunCertificate::growBalls(NodeVectorsView x,
       needs_[index[lane]] = {need, drift[lane]};
     }
   });
-  std::vector<Leaver> grown, others;
+  std::vector<ElementOutside> grown, others;
   for (std::size_t i = 0; i < elements.size(); ++i) {
     note(elements[i], needs_[i].drift);
     const double own = allowance(elements[i]), need = needs_[i].allowance;
-    const Leaver leaver{elements[i], need <= own ? 1 : own > 0 && need < infinity ? need / own : infinity};
-    (leaver.need <= 1 ? grown : others).push_back(leaver);
+    const ElementOutside outsider{elements[i], need <= own ? 1 : own > 0 && need < infinity ? need / own : infinity};
+    (outsider.need <= 1 ? grown : others).push_back(outsider);
   }
   statistics_.work[WorkOn::evaluations] += WorkAccount::ofGrowth(body(), elements);
   growBalls(grown);
   return others;
 }
 
-void RunCertificate::growBalls(std::span<const Leaver> leavers) {
-  for (const Leaver& leaver : leavers) fitBall(leaver.element);
+void RunCertificate::growBalls(std::span<const ElementOutside> violating) {
+  for (const ElementOutside& outsider : violating) fitBall(outsider.element);
 }
 
 void RunCertificate::raiseToValues(const std::vector<ElementRef>& elements, double share) {

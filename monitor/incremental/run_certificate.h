@@ -44,20 +44,20 @@ class RunCertificate : public CertificateState<RoundedDown<float>> {
   };
   /// An element that has left its ball, and the allowance over its own that a larger ball around its reference gradient
   /// needs by Theorem 16: infinity where only an evaluation helps.
-  struct Leaver {
+  struct ElementOutside {
     ElementRef element;
     double need;
     /// Whether another one is needier, so that a heap has the neediest in front.
-    bool operator<(const Leaver& other) const {
+    bool operator<(const ElementOutside& other) const {
       return need != other.need ? need < other.need : other.element < element;
     }
   };
   /// Gives elements that have left their balls the balls that their allowances have room for, about their gradients at
   /// x where inversion ended them, and returns those for which that is not enough. Evaluates no element. Inverted ones
   /// stay outside. x: the positions of the last elementsOutsideBall.
-  std::vector<Leaver> growBalls(NodeVectorsView x, const std::vector<ElementRef>& elements);
-  /// The same for leavers once their needs are served by a raise.
-  void growBalls(std::span<const Leaver> leavers);
+  std::vector<ElementOutside> growBalls(NodeVectorsView x, const std::vector<ElementRef>& elements);
+  /// The same for elements outside their balls once a raise serves their needs.
+  void growBalls(std::span<const ElementOutside> violating);
   /// Raises the allowances of elements that were evaluated at the positions of the last elementsOutsideBall to their
   /// values and a share of them, and the certified eigenvalue to what their nodes, of a part of a body its own ones,
   /// then need.
@@ -169,7 +169,7 @@ class RunCertificate : public CertificateState<RoundedDown<float>> {
   Reference store(const EvaluatedPack& pack, int lane, bool withStrainNorm);
   void note(ElementRef e, const TangentDrift& drift) { note(e, drift.determinant, drift.law.negative); }
 
-  /// What a leaver needs to stay inside, and what its law says at its gradients.
+  /// What an element outside its ball needs to stay inside, and what its law says at its gradients.
   struct Need {
     double allowance;
     TangentDrift drift;

@@ -229,14 +229,14 @@ class WorkAccount {
   void spendOnSearches(double work) { take(searches_, work); }
   bool affordsForSearches(double work) const { return has(searches_, work); }
   bool affords(double work) const { return has(balance_, work); }
-  /// What there is for the proven side, and beside it for nothing but the proof of the step that is taken.
-  double means() const { return income_ > 0 ? std::max(balance_, 0.0) : 0; }
-  double meansForProof() const { return income_ > 0 ? std::max(proof_, 0.0) : 0; }
+  /// Returns what is left for the proven side, and beside it for the proof of the step that is taken alone.
+  double available() const { return income_ > 0 ? std::max(balance_, 0.0) : 0; }
+  double availableForProof() const { return income_ > 0 ? std::max(proof_, 0.0) : 0; }
   bool affordsForProof(double work) const { return has(proof_, work); }
   bool affordsForMode(double work) const { return has(mode_, work); }
   bool affordsForVerdict(double work) const { return has(verdict_, work); }
-  /// What single elements may take on credit where the certified eigenvalue would have to rise far.
-  double credit() const { return income_ > 0 ? forcesOfCredit * force_ + leastIncome : 0; }
+  /// What single elements may take by overdraft where the certified eigenvalue would have to rise far.
+  double overdraft() const { return income_ > 0 ? forcesOfOverdraft * force_ + leastIncome : 0; }
   template <class Archive>
   void archive(Archive& a) {
     a(share_, force_, atStart_, income_, evaluation_, rebuild_, advance_, mostForVerdict_, mostForSearches_,
@@ -247,19 +247,19 @@ class WorkAccount {
   double incomeForProvenSide(bool seeksVerdict = false) const {
     return (1 - shareOfMode - shareOfProof - shareOfSearches - (seeksVerdict ? shareOfVerdict : 0)) * besideTests_;
   }
-  /// Into a purse, and what it does not keep to the proven side.
-  void save(double& purse, double income, double most) {
-    purse += income;
-    balance_ += std::max(purse - most, 0.0);
-    purse = std::min(purse, most);
+  /// Adds an income to the tokens of one use; what exceeds the most goes to the proven side.
+  void save(double& tokens, double income, double most) {
+    tokens += income;
+    balance_ += std::max(tokens - most, 0.0);
+    tokens = std::min(tokens, most);
   }
   void takeInAdvance(double work) { advance_ = std::max(advance_ - work, 0.0); }
-  void take(double& purse, double work) {
+  void take(double& tokens, double work) {
     takeInAdvance(work);
-    purse = std::max(purse - work, -mostOwed());
+    tokens = std::max(tokens - work, -mostOwed());
   }
   /// Nothing is paid from no income, not even what costs nothing now.
-  bool has(double purse, double work) const { return !limited() || (income_ > 0 && purse >= work); }
+  bool has(double tokens, double work) const { return !limited() || (income_ > 0 && tokens >= work); }
   /// What is owed beyond that is forgiven: it would stop all that makes a bound narrower for the rest of a run.
   double mostOwed() const { return mostOwedOfEvaluation * evaluation_; }
   /// Work on what is in no cache: of the first element at an observation, of a pack and of each element, with so much
@@ -319,7 +319,7 @@ class WorkAccount {
   /// What load() is where nothing is earned: as if twice too much were asked for.
   static constexpr double loadWithoutIncome = 2;
   static constexpr double leastIncome = 2000, leastBesideTests = 0.2, shareOfMode = 0.3, shareOfProof = 0.15,
-                          shareOfVerdict = 0.25, shareOfSearches = 0.1, shareAtStart = 0.3, forcesOfCredit = 0.5,
+                          shareOfVerdict = 0.25, shareOfSearches = 0.1, shareAtStart = 0.3, forcesOfOverdraft = 0.5,
                           mostOwedOfEvaluation = 0.2;
   static constexpr double stepsOfMean = 32, stepsInAdvance = 100, rebuildsInAdvance = 7.5;
   // stepsInAdvance: of income, so that the first elements that leave their balls can be evaluated.

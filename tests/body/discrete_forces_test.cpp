@@ -265,7 +265,7 @@ TEST(DiscreteForces, OneLookServesAllCallsAtItsPositions) {
     const NodeVectors elsewhere = made.x + random.nodeVectors(40, 0.5);
     const All here = ask(made.x), there = ask(elsewhere);
     {
-      const DiscreteForces::Look look(&made.forces, made.x);
+      const DiscreteForces::ContactAt contact(&made.forces, made.x);
       EXPECT_EQ(ask(made.x), here) << seed;
       EXPECT_EQ(ask(elsewhere), there) << seed;
     }
@@ -274,7 +274,7 @@ TEST(DiscreteForces, OneLookServesAllCallsAtItsPositions) {
     made.x = elsewhere;
     EXPECT_EQ(ask(made.x), there) << seed;
     // An obstacle that moves ends what was seen.
-    const DiscreteForces::Look look(&made.forces, made.x);
+    const DiscreteForces::ContactAt contact(&made.forces, made.x);
     for (std::size_t k = 0; k < allObstacles().size(); ++k) made.forces.place(k, {0.2, 0.1, -0.3}, Vector3d::Zero());
     const All moved = ask(made.x);
     EXPECT_EQ(ask(NodeVectors(made.x)), moved) << seed;

@@ -8,6 +8,7 @@
 #include <ringwatch/monitor/exact_step.h>
 #include <tests/check/exact_element.h>
 #include <tests/support/body_cases.h>
+#include <tests/support/comma_locale.h>
 
 namespace ringwatch {
 namespace {
@@ -40,6 +41,13 @@ TEST_P(CertificateTest, IsProvenByTheChecker) {
     EXPECT_LE(limit / std::sqrt(certificate.upper.value), step.optimistic);
     EXPECT_NEAR(limit / std::sqrt(certificate.lower.value), step.optimistic, 1e-8 * step.optimistic);
   }
+}
+
+TEST(Certificate, HasTheSameBytesInAProgramWithADecimalComma) {
+  const Body body(test::distortedBox("tet4", {1, 1, 1}), makeMaterial("stvk", 30e3, 0.3, 1000));
+  const std::string expected = makeCertificate(body, body.mesh().X).bytes;
+  const test::CommaLocale comma;
+  EXPECT_EQ(makeCertificate(body, body.mesh().X).bytes, expected);
 }
 
 TEST_P(CertificateTest, OfAFactorisationIsProvenByTheChecker) {

@@ -105,16 +105,17 @@ TEST(RunCertificate, RaisesForElementsThatHaveLeftTheirBallsWithoutAnEvaluation)
     const std::vector<ElementRef> outside = state.elementsOutsideBall(x, nullptr);
     ASSERT_FALSE(outside.empty()) << law;
     // No allowance has grown yet.
-    std::vector<RunCertificate::Leaver> leavers = state.growBalls(x, outside);
-    ASSERT_FALSE(leavers.empty()) << law;
-    for (const RunCertificate::Leaver& leaver : leavers) EXPECT_GT(leaver.need, 1) << law;
-    std::make_heap(leavers.begin(), leavers.end());
-    for (const RunCertificate::Leaver& leaver : leavers) EXPECT_LE(leaver.need, leavers.front().need) << law;
+    std::vector<RunCertificate::ElementOutside> violating = state.growBalls(x, outside);
+    ASSERT_FALSE(violating.empty()) << law;
+    for (const RunCertificate::ElementOutside& outsider : violating) EXPECT_GT(outsider.need, 1) << law;
+    std::make_heap(violating.begin(), violating.end());
+    for (const RunCertificate::ElementOutside& outsider : violating)
+      EXPECT_LE(outsider.need, violating.front().need) << law;
     // What is called outside is that, or nearly.
     for (const ElementRef e : state.elementsOutsideBall(x, nullptr))
       EXPECT_NE(std::find(outside.begin(), outside.end(), e), outside.end()) << law << ", element " << e.element;
-    state.moveTo(leavers.front().need * state.certifiedEigenvalue());
-    state.growBalls(leavers);
+    state.moveTo(violating.front().need * state.certifiedEigenvalue());
+    state.growBalls(violating);
     EXPECT_EQ(state.statistics().evaluated, evaluated);
     EXPECT_TRUE(state.elementsOutsideBall(x, nullptr).empty()) << law;
     EXPECT_LE(state.verify(x), rounding) << law;
