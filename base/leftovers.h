@@ -3,8 +3,8 @@
 
 namespace ringwatch {
 
-/// A file that removeLeftovers() removes while this lives: one that is not whole yet. Of more than 64 at a time some
-/// are not known.
+/// A file or a folder with all in it that removeLeftovers() removes while this lives: a file that is not whole yet, a
+/// temporary folder. Of more than 64 at a time some are not known.
 class Leftover {
  public:
   explicit Leftover(const std::filesystem::path& path);
@@ -17,7 +17,20 @@ class Leftover {
   std::size_t slot_;
 };
 
-/// Removes the files of all that live. A signal handler may call it.
+/// A program, by its process, that removeLeftovers() ends while this lives: it would work on for nobody. Of more than
+/// 64 at a time some are not known.
+class LeftoverProgram {
+ public:
+  explicit LeftoverProgram(int process);
+  ~LeftoverProgram();
+  LeftoverProgram(const LeftoverProgram&) = delete;
+  LeftoverProgram& operator=(const LeftoverProgram&) = delete;
+
+ private:
+  int process_;
+};
+
+/// Ends the programs and removes the files and folders of all that live. A signal handler may call it.
 void removeLeftovers() noexcept;
 /// SIGINT, SIGTERM and SIGHUP, where they end the program, remove what is left before.
 void removeLeftoversOnSignals();

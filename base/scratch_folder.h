@@ -3,15 +3,17 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <system_error>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/leftovers.h>
 
 namespace ringwatch {
 
-/// A folder of its own among the temporary ones, which goes away with everything in it. Throws InputError where none
-/// can be made.
+/// A folder of its own among the temporary ones, which goes away with everything in it, also where
+/// removeLeftoversOnSignals() was called on a signal that ends the program. Throws InputError where none can be made.
 class ScratchFolder {
  public:
   ScratchFolder() {
@@ -20,6 +22,7 @@ class ScratchFolder {
     if (error || ::mkdtemp(folder.data()) == nullptr)
       throw InputError("cannot write a temporary file into " + folder + ": " + std::strerror(errno));
     path_ = folder;
+    leftover_.emplace(path_);
   }
   ~ScratchFolder() {
     std::error_code ignored;
@@ -32,6 +35,7 @@ class ScratchFolder {
 
  private:
   std::filesystem::path path_;
+  std::optional<Leftover> leftover_;
 };
 
 }  // namespace ringwatch

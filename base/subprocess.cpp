@@ -7,6 +7,9 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <optional>
+
+#include <ringwatch/base/leftovers.h>
 
 extern char** environ;
 
@@ -38,6 +41,7 @@ ProgramResult runProgram(const std::vector<std::string>& command, const std::fil
   ::close(ends[1]);
 
   if (error == 0) {
+    std::optional<LeftoverProgram> running(child);
     char buffer[1024];
     for (;;) {
       const ssize_t count = ::read(ends[0], buffer, sizeof buffer);
@@ -47,6 +51,11 @@ ProgramResult runProgram(const std::vector<std::string>& command, const std::fil
     }
     int status = 0;
     rusage used{};
+    // Once it is waited for another program may have its process.
+    siginfo_t ended{};
+    while (::waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOWAIT) < 0 && errno == EINTR) {
+    }
+    running.reset();
     while (::wait4(child, &status, 0, &used) < 0 && errno == EINTR) {
     }
     const auto seconds = [](const timeval& t) {

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
+#include <optional>
 #include <unordered_map>
 #include <utility>
 
@@ -130,6 +132,7 @@ std::vector<MeshProblem> checkMesh(const Mesh& mesh) {
     const MeshBlock& block = mesh.blocks[b];
     const ElementInfo& info = elementInfo(block.type);
     const JacobianProbe probe(info);
+    std::optional<JacobianProbe> fine;
     const std::size_t count = block.elementCount(), width = static_cast<std::size_t>(info.nodes);
     const auto report = [&](std::size_t e, MeshProblem::Kind kind, double value, const std::string& what) {
       MeshProblem problem = problemOf(mesh, {b, e}, kind, value);
@@ -153,7 +156,13 @@ std::vector<MeshProblem> checkMesh(const Mesh& mesh) {
                joinText("holds node ", nodeId(mesh, *twice), " more than once; its nodes must differ"));
         continue;
       }
-      const JacobianRange range = probe.range(mesh.X, nodes);
+      JacobianRange range = probe.range(mesh.X, nodes);
+      // Between the points of the probe an element may be folded whose determinant varies so much at them.
+      constexpr double even = 0.3;
+      if (range.min > 0 && range.min < even * range.max) {
+        if (!fine) fine.emplace(info, JacobianPoints::fine);
+        range.min = std::min(range.min, fine->range(mesh.X, nodes).min);
+      }
       const double length = longestEdge(info, mesh.X, nodes);
       const double least = leastOf(info, length);  // a NaN belongs to its node, reported below
       const std::string order = range.min <= least || info.order > 1 ? otherOrder(mesh, info, probe, nodes) : "";
@@ -233,6 +242,13 @@ std::vector<std::string> meshNotes(const Mesh& mesh, const std::string& source) 
   for (std::int32_t n = 0; n < static_cast<std::int32_t>(at.size()); ++n)
     if (at[n] != n && same++ == 0) first = n;
   if (same > 0) notes.push_back(detail::coincidenceNote(source, same, nodeId(mesh, at[first]), nodeId(mesh, first)));
+  const std::vector<std::int32_t> near = detail::firstNodesAtPlaces(mesh, 0, true, detail::Closeness::gap);
+  std::int64_t gaps = 0;
+  for (std::int32_t n = 0; n < static_cast<std::int32_t>(near.size()); ++n)
+    if (near[n] != n && at[n] == n && gaps++ == 0) first = n;
+  if (gaps > 0)
+    notes.push_back(detail::gapNote(source, gaps, nodeId(mesh, near[first]), nodeId(mesh, first),
+                                    (mesh.X.col(near[first]) - mesh.X.col(first)).norm()));
   return notes;
 }
 
@@ -248,8 +264,8 @@ void requireSound(Mesh& mesh, const std::string& source, std::vector<std::string
 
 namespace detail {
 
-std::vector<double> distancesOfDoubles(const Mesh& mesh) {
-  constexpr double share = 1e-3;
+std::vector<double> distancesOfDoubles(const Mesh& mesh, Closeness closeness) {
+  constexpr double shareOfGap = 1e-3, share = 1e-6, rounding = std::numeric_limits<float>::epsilon();
   std::vector<double> shortest(mesh.nodeCount(), infinity);
   for (const MeshBlock& block : mesh.blocks) {
     const ElementInfo& info = elementInfo(block.type);
@@ -267,7 +283,17 @@ std::vector<double> distancesOfDoubles(const Mesh& mesh) {
       }
     }
   }
-  for (double& length : shortest) length = length < infinity ? share * length : 0;
+  for (std::size_t n = 0; n < shortest.size(); ++n) {
+    double& length = shortest[n];
+    if (!(length < infinity))
+      length = 0;
+    else if (closeness == Closeness::gap)
+      length *= shareOfGap;
+    else
+      length =
+          std::min(shareOfGap * length,
+                   std::max(share * length, rounding * mesh.X.col(static_cast<Eigen::Index>(n)).cwiseAbs().maxCoeff()));
+  }
   return shortest;
 }
 
@@ -341,14 +367,14 @@ std::vector<std::int32_t> nodesOutOfRows(const Mesh& mesh, const ElementInfo& in
   return round;
 }
 
-std::vector<std::int32_t> firstNodesAtPlaces(const Mesh& mesh, double near, bool ofElements) {
+std::vector<std::int32_t> firstNodesAtPlaces(const Mesh& mesh, double near, bool ofElements, Closeness closeness) {
   std::vector<std::int32_t> at(mesh.nodeCount());
   std::iota(at.begin(), at.end(), 0);
   if (mesh.nodeCount() == 0) return at;
   const std::vector<bool> used = usedNodes(mesh);
   if (!mesh.X.allFinite()) return at;
   CoincidenceGrid grid(near);
-  std::vector<double> distances = distancesOfDoubles(mesh);
+  std::vector<double> distances = distancesOfDoubles(mesh, closeness);
   std::vector<int> levels;
   for (std::size_t n = 0; n < distances.size(); ++n) {
     distances[n] = grid.distance(mesh.X.col(static_cast<Eigen::Index>(n)), distances[n]);
@@ -527,6 +553,15 @@ std::string coincidenceNote(const std::string& source, std::int64_t count, std::
   return joinText(source, ": ", count, count == 1 ? " node lies" : " nodes lie",
                   " where another node lies, e.g. nodes ", firstId, " and ", secondId,
                   "; elements are not joined there, and `ringwatch mesh repair --join 0` joins them");
+}
+
+std::string gapNote(const std::string& source, std::int64_t count, std::int64_t firstId, std::int64_t secondId,
+                    double apart) {
+  return joinText(source, ": ", count, count == 1 ? " node lies" : " nodes lie",
+                  " closer than a thousandth of an edge to another, e.g. nodes ", firstId, " and ", secondId, ", ",
+                  apart,
+                  " m apart; elements are not joined there, as at a crack or a contact, and `ringwatch mesh repair "
+                  "--join DISTANCE` joins nodes that are closer");
 }
 
 }  // namespace detail

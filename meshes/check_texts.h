@@ -41,9 +41,13 @@ std::string_view programOfOrder(const ElementInfo& info, const std::vector<int>&
 /// go round, as VTK's voxels do, in our order; empty for another element. probe: of its type.
 std::vector<std::int32_t> nodesOutOfRows(const Mesh& mesh, const ElementInfo& info, const JacobianProbe& probe,
                                          const std::int32_t* nodes);
-/// For each node the first one that lies closer to it than `near` (m) or where distancesOfDoubles() says that both are
-/// at one place, itself where none does. ofElements: only nodes of elements count.
-std::vector<std::int32_t> firstNodesAtPlaces(const Mesh& mesh, double near, bool ofElements);
+/// How close nodes are. atOnePlace: as far apart as rounding brings a node of two parts. gap: up to a thousandth of an
+/// edge, as a crack or a contact may have, and a file of six digits.
+enum class Closeness { atOnePlace, gap };
+/// For each node the nearest one before it that lies closer to it than `near` (m) or so close that
+/// distancesOfDoubles() tells both, itself where none does. ofElements: only nodes of elements count.
+std::vector<std::int32_t> firstNodesAtPlaces(const Mesh& mesh, double near, bool ofElements,
+                                             Closeness closeness = Closeness::atOnePlace);
 /// The least Jacobian determinant of a sound element, m³.
 double leastJacobian(const ElementInfo& info, const NodeVectors& X, const std::int32_t* nodes);
 /// Drops the nodes that no element uses, with a note.
@@ -66,12 +70,15 @@ struct HangingNodes {
 HangingNodes hangingNodes(const Mesh& mesh, std::size_t nodes);
 std::string hangingNote(const std::string& source, std::int64_t count, std::int64_t firstId);
 std::string coincidenceNote(const std::string& source, std::int64_t count, std::int64_t firstId, std::int64_t secondId);
+/// Of nodes that have a gap between them. apart: of the two, m.
+std::string gapNote(const std::string& source, std::int64_t count, std::int64_t firstId, std::int64_t secondId,
+                    double apart);
 
-/// The distance, m, up to which another node lies at the place of each: a thousandth of the shortest edge there that
-/// has a length, more than a billionth of its element's longest; 0 where none has. Two nodes lie at one place where
-/// both say so. Files of six digits or in single precision have twice the same node so far apart, and no sound element
-/// two of its own.
-std::vector<double> distancesOfDoubles(const Mesh& mesh);
+/// The distance, m, up to which another node is so close to each: of a gap a thousandth of the shortest edge there that
+/// has a length, more than a billionth of its element's longest; at one place a millionth of it, or the rounding of its
+/// coordinates in single precision where that is more, within a gap; 0 where no edge has a length. Two nodes are so
+/// close where both say so; no sound element has two of its own.
+std::vector<double> distancesOfDoubles(const Mesh& mesh, Closeness closeness);
 /// Cells of space in which nodes are sought that lie at one place: cells of several sizes, since elements are.
 class CoincidenceGrid {
  public:

@@ -72,8 +72,12 @@ constexpr MeshFormatEntry formatsOfLibrary[] = {
     {{".inp", "Abaqus or CalculiX deck", "nodes, elements and their sets; a note names what is skipped", false},
      detail::readInp,
      detail::startsWithDeck},
-    {.info = {".exo/.med/.xdmf/.mesh/.bdf/.unv", "what meshio or gmsh reads",
-              "Exodus, MED, XDMF, Medit, Nastran, Netgen and SU2 by python3-meshio, with their groups, and UNV by gmsh",
+    {{".unv", "universal file (UNV)", "of I-DEAS, Salome and gmsh: nodes, solid elements and groups", false},
+     detail::readUniversal,
+     detail::startsWithUniversal,
+     "-1, the mark of its first dataset"},
+    {.info = {".exo/.med/.xdmf/.mesh/.bdf", "what meshio reads",
+              "Exodus, MED, XDMF, Medit, Nastran, Netgen and SU2 by python3-meshio, with their groups",
               false}},  // `read` below finds the one of them
 };
 

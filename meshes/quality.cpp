@@ -1,6 +1,7 @@
 #include <ringwatch/meshes/quality.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -14,7 +15,7 @@
 
 namespace ringwatch {
 
-JacobianProbe::JacobianProbe(const ElementInfo& info) : nodes_(info.nodes) {
+JacobianProbe::JacobianProbe(const ElementInfo& info, JacobianPoints where) : nodes_(info.nodes) {
   const auto add = [&](const double xi[3], double weight) {
     Point point{std::vector<double>(static_cast<std::size_t>(3 * nodes_)), weight};
     info.shapeGradient(xi, reinterpret_cast<double(*)[3]>(point.gradient.data()));
@@ -31,7 +32,24 @@ JacobianProbe::JacobianProbe(const ElementInfo& info) : nodes_(info.nodes) {
   for (const auto& face : info.faces)
     for (const int corner : face)
       if (corner >= 0) corners.insert(corner);
-  for (const int corner : corners) add(info.referenceNodes[corner].data(), 0);
+  using Places = std::set<std::array<double, 3>>;
+  Places places;
+  std::array<double, 3> middle{};
+  for (const int corner : corners) {
+    const auto& node = info.referenceNodes[corner];
+    places.insert({node[0], node[1], node[2]});
+    for (std::size_t k = 0; k < 3; ++k) middle[k] += node[k] / static_cast<double>(corners.size());
+  }
+  if (where == JacobianPoints::fine) {
+    for (const auto& node : info.referenceNodes) places.insert({node[0], node[1], node[2]});
+    for (int round = 0; round < 2; ++round) {
+      const Places before = places;
+      for (const auto& a : before)
+        for (const auto& b : before) places.insert({(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2});
+    }
+  }
+  places.insert(middle);
+  for (const auto& place : places) add(place.data(), 0);
 }
 
 Eigen::Matrix3d JacobianProbe::jacobian(const Point& point, const NodeVectors& x, const std::int32_t* nodes) const {

@@ -15,12 +15,17 @@ struct JacobianRange {
   double min = 0, max = 0;
 };
 
+/// Where a JacobianProbe looks. fine: also halfway between any two nodes, and halfway between any two of all these: in
+/// a hexahedron at five places along each axis. The determinant may change its sign between the others: that of a
+/// hexahedron whose top is numbered half a turn on is 0 in the middle alone.
+enum class JacobianPoints { usual, fine };
+
 /// Evaluates the Jacobian determinant of elements of one type at their quadrature points (default rule) and, for
-/// elements whose gradient varies, at their corners. A corner where the reference map itself is singular (the apex of a
-/// pyramid) is left out.
+/// elements whose gradient varies, at their corners and in the middle. A corner where the reference map itself is
+/// singular (the apex of a pyramid) is left out.
 class JacobianProbe {
  public:
-  explicit JacobianProbe(const ElementInfo& info);
+  explicit JacobianProbe(const ElementInfo& info, JacobianPoints where = JacobianPoints::usual);
   /// x: 3×N positions, nodes: indices of the element's nodes. NaN positions give NaN.
   JacobianRange range(const NodeVectors& x, const std::int32_t* nodes) const;
   /// Σ w det J over the default rule: the signed volume, m³.
@@ -32,7 +37,7 @@ class JacobianProbe {
  private:
   struct Point {
     std::vector<double> gradient;  // 3 a node
-    double weight;                 // 0 at corners
+    double weight;                 // 0 of none of the rule
   };
   Eigen::Matrix3d jacobian(const Point& point, const NodeVectors& x, const std::int32_t* nodes) const;
   std::vector<Point> points_;

@@ -86,18 +86,20 @@ struct NodeInCell {
   double distance;      // m, up to which another lies at its place
   std::int64_t id;
 };
-/// A node, and the first before it that lies at its place.
+/// A node, and the nearest before it that lies so close.
 struct Coincidence {
-  std::int32_t node, other;
+  std::int32_t node;
+  double apart;  // m
+  std::int32_t other;
   std::int64_t id, otherId;
   auto operator<=>(const Coincidence&) const = default;
 };
 
-/// Nodes that lie where one before them lies: their number, and the first.
-std::pair<std::int64_t, Coincidence> coincidences(Ranks& ranks, const RankPart& part) {
+/// Nodes that lie so close to one before them: those that this rank tells, by their numbers.
+std::vector<Coincidence> coincidences(Ranks& ranks, const RankPart& part, detail::Closeness closeness) {
   detail::CoincidenceGrid grid(0);
   // Of own nodes, all of whose elements are here.
-  std::vector<double> distances = detail::distancesOfDoubles(part.mesh);
+  std::vector<double> distances = detail::distancesOfDoubles(part.mesh, closeness);
   distances.resize(static_cast<std::size_t>(part.ownedNodes));
   std::vector<int> levels;
   for (std::size_t i = 0; i < distances.size(); ++i) {
@@ -133,12 +135,11 @@ std::pair<std::int64_t, Coincidence> coincidences(Ranks& ranks, const RankPart& 
     for (std::size_t i = begin + 1; i < end; ++i)
       for (std::size_t j = begin; j < i; ++j) {
         const Eigen::Map<const Eigen::Vector3d> a(came[i].X), b(came[j].X);
-        if (came[j].inside == 0 || came[j].node == came[i].node ||
-            (b - a).norm() > std::min(came[i].distance, came[j].distance))
+        const double apart = (b - a).norm();
+        if (came[j].inside == 0 || came[j].node == came[i].node || apart > std::min(came[i].distance, came[j].distance))
           continue;
         found[static_cast<std::uint64_t>(came[i].node) % size].push_back(
-            {came[i].node, came[j].node, came[i].id, came[j].id});
-        break;
+            {came[i].node, apart, came[j].node, came[i].id, came[j].id});
       }
   }
   std::vector<Coincidence> own = std::move(exchange(ranks, found).values);
@@ -146,6 +147,11 @@ std::pair<std::int64_t, Coincidence> coincidences(Ranks& ranks, const RankPart& 
   own.erase(
       std::unique(own.begin(), own.end(), [](const Coincidence& a, const Coincidence& b) { return a.node == b.node; }),
       own.end());
+  return own;
+}
+
+/// Their number on all ranks, and the first.
+std::pair<std::int64_t, Coincidence> firstOfAll(Ranks& ranks, std::vector<Coincidence> own) {
   const std::int64_t count = sumOver(ranks, static_cast<std::int64_t>(own.size()));
   if (count == 0) return {0, {}};
   own.resize(std::min<std::size_t>(own.size(), 1));
@@ -230,8 +236,15 @@ std::vector<std::string> partNotes(Ranks& ranks, const RankPart& part, const std
     const std::int64_t id = ranks.least(here == first && own.count > 0 ? part.mesh.nodeId(own.first) : noFault);
     notes.push_back(detail::hangingNote(source, count, id));
   }
-  if (const auto [count, first] = coincidences(ranks, part); count > 0)
+  const std::vector<Coincidence> same = coincidences(ranks, part, detail::Closeness::atOnePlace);
+  if (const auto [count, first] = firstOfAll(ranks, same); count > 0)
     notes.push_back(detail::coincidenceNote(source, count, first.otherId, first.id));
+  // A rank tells the same nodes, however close they are.
+  std::vector<Coincidence> gaps = coincidences(ranks, part, detail::Closeness::gap);
+  std::erase_if(
+      gaps, [&](const Coincidence& gap) { return std::ranges::binary_search(same, gap.node, {}, &Coincidence::node); });
+  if (const auto [count, first] = firstOfAll(ranks, std::move(gaps)); count > 0)
+    notes.push_back(detail::gapNote(source, count, first.otherId, first.id, first.apart));
   return notes;
 }
 

@@ -104,6 +104,7 @@ Checkpoint RunCheckpoints::saved() {
                  {"steps", run_.steps.save()},         {"watch", run_.watch.save()},
                  {"output", run_.output->save()},      {"moved", prescribedVelocities(constraints)},
                  {"checkpoints_due", count_},          {"last_verdict", std::string(verdictName(run_.lastVerdict))}};
+  if (run_.ruleOfSteps.isOfLongerStep()) saved.parts["rule_of_longer_step"] = true;
   if (!domain.whole()) saved.parts["ranks"] = true;
   return saved;
 }
@@ -138,6 +139,7 @@ void RunCheckpoints::resumeParts(const Checkpoint& saved) {
   run_.energies.resume(saved.parts.at("energies"));
   run_.steps.resume(saved.parts.at("steps"));
   run_.watch.resume(saved.parts.at("watch"));
+  if (!saved.parts.value("rule_of_longer_step", false)) run_.ruleOfSteps.referToStep(run_.body);
   count_ = saved.parts.at("checkpoints_due").get<std::int64_t>();
   run_.lastVerdict = savedVerdict(saved.parts.at("last_verdict"));
   if (run_.body.domain().whole())

@@ -31,7 +31,7 @@ Simulation::Simulation(const Scene& s, Body& b, const RunOptions& o)
     : scene(s),
       body(b),
       options(o),
-      rule(sceneStepRule(s, b)),
+      ruleOfSteps(s, b),
       energies(s, b, roundingEnergy(b)),
       steps(s),
       loads(o.part ? std::move(*o.part->loads) : TimedLoads(s, b)),
@@ -125,6 +125,19 @@ MonitorReport Simulation::handleMore(MonitorReport report, bool rowDue) {
   for (const MonitorEvent& event : report.newEvents)
     if (event.handled) more.newEvents.push_back(event);
   return more;
+}
+
+MonitorReport Simulation::referToStep(MonitorReport report, bool rowDue) {
+  if (!ruleOfSteps.isOfLongerStep() || !report.fresh || report.verdict == Verdict::certified || !watch.isFinite(state))
+    return report;
+  {
+    const Stopwatch measured(result.monitorTime);
+    watch.end();
+    ruleOfSteps.referToStep(body);
+    beginWatch();
+    watch.goOnWithEvents(report.step);
+  }
+  return observeOnce(report.step, rowDue);
 }
 
 MonitorReport Simulation::observeOnce(std::int64_t k, bool rowDue) {
@@ -348,7 +361,7 @@ bool Simulation::takeStep(const MonitorReport& report) {
 
 MonitorReport Simulation::observe(std::int64_t k, bool rowDue) {
   rowDue_ = rowDue;
-  return handleMore(observeOnce(k, rowDue), rowDue);
+  return handleMore(referToStep(observeOnce(k, rowDue), rowDue), rowDue);
 }
 
 void Simulation::recordEvents(const MonitorReport& report) {

@@ -7,6 +7,7 @@
 #include <ringwatch/app/run/run_output.h>
 #include <ringwatch/app/run/run_probes.h>
 #include <ringwatch/app/run/run_recorder.h>
+#include <ringwatch/app/run/run_rule.h>
 #include <ringwatch/app/run/run_scheme.h>
 #include <ringwatch/app/run/run_watch.h>
 #include <ringwatch/app/run/runner.h>
@@ -73,7 +74,8 @@ class Simulation {
   const Scene& scene;
   Body& body;
   const RunOptions& options;
-  const StepRule rule;
+  RunRule ruleOfSteps;
+  const StepRule& rule = ruleOfSteps.rule();
   RunEnergies energies;
   StepPolicy steps;
   TimedLoads loads;
@@ -90,6 +92,8 @@ class Simulation {
  private:
   MonitorReport observeOnce(std::int64_t k, bool rowDue);
   MonitorReport handleMore(MonitorReport report, bool rowDue);
+  /// Observes once more with the rule that is exact at the scene's step, where another one did not prove it.
+  MonitorReport referToStep(MonitorReport report, bool rowDue);
   /// The handler chooses for the step at the state. False where it cannot, which ends the run.
   bool handleAgain();
   void askFor(bool rowDue, bool probesDue);

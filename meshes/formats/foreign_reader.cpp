@@ -2,8 +2,6 @@
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
-#include <set>
-#include <sstream>
 
 #include <ringwatch/base/scratch_folder.h>
 #include <ringwatch/base/subprocess.h>
@@ -17,7 +15,7 @@ struct ForeignFormat {
   std::string_view begin;       // of the text, in capitals or not; "": its files begin in several ways
   std::string_view extensions;  // that tell it where the text does not, each with a space on both sides
   std::string_view name;
-  std::string_view kind;    // for read_by_meshio.py, or byGmsh; "": neither can read it
+  std::string_view kind;    // for read_by_meshio.py; "": it cannot read it
   std::string_view advice;  // of those that are not read
 };
 
@@ -25,7 +23,6 @@ namespace {
 
 constexpr std::string_view writeAnother = "gmsh, meshio and most meshers write .msh, .vtu or .inp";
 constexpr std::string_view fillIt = "a surface has no volume elements; gmsh and tetgen fill one with tetrahedra";
-constexpr std::string_view byGmsh = "gmsh";
 constexpr std::string_view cellsByFaces = "it gives cells by their faces; write the mesh as .msh of gmsh or as .inp";
 constexpr std::string_view meshOfFlex =
     "it tells how to make a mesh; gmsh makes one, and .msh is what its flexcomp reads";
@@ -79,8 +76,6 @@ constexpr ForeignFormat formats[] = {
     {"OFF", {}, "a surface in OFF", {}, fillIt},
     {{}, " .obj ", "a surface in OBJ", {}, fillIt},
     {"ISO-10303-21", " .step .stp ", "a geometry in STEP", {}, "gmsh makes a mesh of it"},
-    {"-1\n", " .unv ", "a universal file (UNV)", byGmsh, {}},
-    {"-1\r", {}, "a universal file (UNV)", byGmsh, {}},
     {"<mujoco", {}, "a model of MuJoCo (MJCF)", {}, meshOfFlex},
 };
 
@@ -93,93 +88,6 @@ std::vector<std::string> linesOf(const std::filesystem::path& path) {
   std::ifstream file(path);
   for (std::string line; std::getline(file, line);) lines.push_back(line);
   return lines;
-}
-
-/// Refuses what gmsh passes over in a universal file (I-DEAS, "Universal File Datasets"): nodes in axes of their own
-/// (datasets 2420 and 2411) and solids of other types than it knows (2412).
-void refuseUnfollowed(const std::filesystem::path& path) {
-  const std::vector<std::string> lines = linesOf(path);
-  // Numbers stand in columns of ten.
-  const auto number = [&](std::size_t line, std::size_t field) {
-    const std::string& text = lines[line];
-    return std::strtoll(text.substr(std::min(10 * field, text.size()), 10).c_str(), nullptr, 10);
-  };
-  const auto isMark = [&](std::size_t line) {
-    std::istringstream words(lines[line]);
-    std::string first, second;
-    return words >> first && first == "-1" && !(words >> second);
-  };
-  const auto fail = [&](std::size_t line, const std::string& what) {
-    throw InputError(joinText(path.string(), ":", line + 1, ": ", what));
-  };
-  struct Dataset {
-    std::int64_t number;
-    std::size_t begin, end;  // of its lines
-  };
-  std::vector<Dataset> datasets;
-  for (std::size_t at = 0; at + 1 < lines.size(); ++at) {
-    if (!isMark(at)) continue;
-    Dataset& own = datasets.emplace_back(Dataset{number(at + 1, 0), at + 2, at + 2});
-    while (own.end < lines.size() && !isMark(own.end)) ++own.end;
-    if (own.end == lines.size())
-      fail(at, joinText("this is a universal file (UNV) whose dataset ", own.number,
-                        " has no end, a line of -1; is it cut short?"));
-    at = own.end;
-  }
-  const auto forEach = [&](std::int64_t wanted, const auto& visit) {
-    for (const Dataset& own : datasets)
-      for (std::size_t at = own.begin; own.number == wanted && at < own.end;) at += visit(at, own);
-  };
-  std::set<std::int64_t> others;  // axes that are not those of the file
-  forEach(2420, [&](std::size_t at, const Dataset& own) -> std::size_t {
-    constexpr std::size_t head = 2, record = 6;
-    if (at == own.begin) return head;
-    bool same = number(at, 1) == 0;  // Cartesian
-    for (std::size_t row = 0; row < 4 && at + 2 + row < own.end; ++row) {
-      std::string text = lines[at + 2 + row];
-      std::ranges::replace(text, 'D', 'E');
-      std::istringstream values(text);
-      for (std::size_t column = 0; column < 3; ++column)
-        if (double value = 0; values >> value) same = same && value == (row == column ? 1 : 0);
-    }
-    if (!same) others.insert(number(at, 0));
-    return record;
-  });
-  forEach(2411, [&](std::size_t at, const Dataset&) -> std::size_t {
-    if (others.contains(number(at, 1)))
-      fail(at, joinText("node ", number(at, 0), " is in coordinate system ", number(at, 1),
-                        ", which is not followed; write nodes in that of the whole"));
-    return 2;
-  });
-  forEach(2412, [&](std::size_t at, const Dataset& own) -> std::size_t {
-    const std::int64_t type = number(at, 1), nodes = number(at, 5);
-    constexpr std::int64_t solids[] = {101, 102, 104, 105, 111, 112, 113, 115, 116, 118};
-    const bool flat = type <= 99 || (type >= 120 && type < 200);  // beams, shells, springs, masses
-    if (!flat && std::ranges::find(solids, type) == std::end(solids))
-      fail(at, joinText("element ", number(at, 0), " is of type ", type, ", which gmsh does not know"));
-    const bool beam = type < 30 && at + 1 < own.end && (nodes != 2 || lines[at + 1].find_last_not_of(" \r") >= 20);
-    return 1 + static_cast<std::size_t>(beam) + static_cast<std::size_t>(std::max<std::int64_t>(0, nodes + 7) / 8);
-  });
-}
-
-/// Of universal files gmsh makes a mesh with their numbers and groups.
-Mesh readByGmsh(const std::string& is, const std::filesystem::path& path, Notes* notes, Problems* problems) {
-  refuseUnfollowed(path);
-  const ScratchFolder folder;
-  const std::filesystem::path made = folder.path() / "mesh.msh";
-  std::filesystem::create_symlink(std::filesystem::absolute(path), folder.path() / "mesh.unv");  // the name tells gmsh
-  const ProgramResult result = runProgram(
-      {"gmsh", "-v", "1", "-0", "mesh.unv", "-save_all", "-format", "msh41", "-bin", "-o", "mesh.msh"}, folder.path());
-  if (!result.found)
-    throw InputError(joinText(is, ", which gmsh reads: install gmsh, as scripts/setup --remeshing does"));
-  if (result.status != 0 || !std::filesystem::exists(made))
-    throw InputError(joinText(is, "; gmsh cannot read it: ", result.output.substr(0, result.output.find('\n'))));
-  try {
-    return readMsh(path, readWholeFile(made), notes, problems);
-  } catch (const InputError& fault) {
-    const std::string why = fault.what(), source = path.string() + ": ";
-    throw InputError(joinText(is, "; as gmsh reads it: ", why.substr(why.starts_with(source) ? source.size() : 0)));
-  }
 }
 
 }  // namespace
@@ -214,7 +122,6 @@ Mesh readForeign(const ForeignFormat& format, const std::filesystem::path& path,
     refuse(path, *named);
   const std::string source = path.string(), is = joinText(source, ": this is ", format.name);
   if (!std::filesystem::is_regular_file(path)) throw InputError(is + ", which is read from a file, not from a pipe");
-  if (format.kind == byGmsh) return readByGmsh(is, path, notes, problems);
   const ScratchFolder folder;
   ProgramResult result;
   std::vector<std::string> said;

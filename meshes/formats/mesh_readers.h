@@ -20,6 +20,10 @@ Mesh readInp(const std::filesystem::path& path, const std::string& text, Notes* 
 /// What is added to the numbers of each instance of an .inp deck, by its name in upper case.
 std::map<std::string, std::int64_t> instanceOffsets(const std::filesystem::path& path, const std::string& text);
 Mesh readDyna(const std::filesystem::path& path, const std::string& text, Notes* notes, Problems* problems);
+/// A universal file of I-DEAS, as Salome and gmsh write them, too.
+Mesh readUniversal(const std::filesystem::path& path, const std::string& text, Notes* notes, Problems* problems);
+/// Whether a text is one: its first line is the mark of a dataset, -1, and the next one its number.
+bool startsWithUniversal(std::string_view text);
 /// How the note of a deck begins, behind its name, that lists the keywords that are not of the mesh.
 inline constexpr std::string_view deckSkippedNote = ": skipped, only nodes, elements and their sets are read: ";
 Mesh readTetgen(const std::filesystem::path& nodeFile, const std::filesystem::path& elementFile, Notes* notes,

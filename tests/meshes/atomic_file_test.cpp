@@ -5,8 +5,11 @@
 #include <csignal>
 
 #include <ringwatch/base/atomic_file.h>
+#include <ringwatch/base/error.h>
 #include <ringwatch/base/leftovers.h>
 #include <ringwatch/base/nearest_name.h>
+#include <ringwatch/base/scratch_folder.h>
+#include <ringwatch/base/subprocess.h>
 
 #include "tests/meshes/mesh_test_tools.h"
 
@@ -92,6 +95,33 @@ TEST(AtomicFile, LeavesNothingWhereASignalEndsTheProgram) {
     EXPECT_EQ(WTERMSIG(status), number);
     EXPECT_EQ(folder.fileCount(), 1u);
     EXPECT_EQ(readBytes(folder / "a.txt"), "old");
+  }
+}
+
+/// The same of temporary folders, with all in them, and of programs that write into them.
+TEST(AtomicFile, LeavesNoTemporaryFolderWhereASignalEndsTheProgram) {
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+    const TemporaryFolder folder;
+    const pid_t child = ::fork();
+    if (child == 0) {
+      ::setenv("TMPDIR", folder.path().c_str(), 1);
+      std::signal(number, SIG_DFL);
+      removeLeftoversOnSignals();
+      const ScratchFolder scratch;
+      std::filesystem::create_directories(scratch.path() / "sub/sub");
+      for (int i = 0; i < 300; ++i) writeBytes(scratch.path() / "sub" / std::to_string(i), "a part");
+      writeBytes(scratch.path() / "sub/sub/file", "a part");
+      std::filesystem::create_directory_symlink(folder.path(), scratch.path() / "sub/link");
+      const std::string writes = joinText("i=0; while :; do echo a > sub/w$i; i=$((i+1)); [ $i = 50 ] && kill -",
+                                          std::to_string(number), " $PPID; done");
+      runProgram({"/bin/sh", "-c", writes}, scratch.path());
+      ::_exit(0);
+    }
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    ASSERT_TRUE(WIFSIGNALED(status));
+    EXPECT_EQ(WTERMSIG(status), number);
+    EXPECT_EQ(folder.fileCount(), 0u);
   }
 }
 

@@ -5,6 +5,7 @@ import pathlib
 import shutil
 import subprocess
 import time
+from collections.abc import Iterable
 from typing import Any
 
 import meshio  # type: ignore[import]
@@ -445,16 +446,71 @@ def test_middle_nodes_that_other_elements_keep_are_refused(tmp_path: pathlib.Pat
     assert check.returncode == 2 and "(wedge15) could be read as linear, but element" in check.stderr, check
 
 
+def records(numbers: Iterable[int], each: int = 8) -> str:
+    """Lines of so many numbers in columns of ten."""
+    numbers = list(numbers)
+    return "".join("".join(f"{n:10d}" for n in numbers[i : i + each]) + "\n" for i in range(0, len(numbers), each))
+
+
+def dataset(number: int, text: str) -> str:
+    return f"    -1\n{number:6d}\n{text}    -1\n"
+
+
+# Node i of meshio is node UNIVERSAL[1][i] of a universal file ("Universal File Datasets", the figures of dataset 2412).
+UNIVERSAL: dict[str, tuple[int, list[int]]] = {
+    "tet4": (111, [0, 1, 2, 3]), "tet10": (118, [0, 2, 4, 9, 1, 3, 5, 6, 7, 8]), "wedge6": (112, [0, 1, 2, 3, 4, 5]),
+    "hex8": (115, list(range(8))), "hex20": (116, [0, 2, 4, 6, 12, 14, 16, 18, 1, 3, 5, 7, 13, 15, 17, 19, 8, 9, 10, 11])}  # fmt: skip
+
+
+@pytest.mark.parametrize("element", UNIVERSAL)
+@pytest.mark.parametrize("nodes,elements,groups", [(2411, 2412, 2467), (781, 780, 2430), (15, 2412, 2477), (2411, 780, 2429), (2411, 2412, 2435),
+                                                   (2411, 2412, 2452), (781, 2412, 2432), (2411, 2412, 2417)])  # fmt: skip
+def test_universal_files_are_read_with_their_groups(tmp_path: pathlib.Path, element: str, nodes: int, elements: int, groups: int) -> None:
+    points, blocks = a_mesh(element)
+    cells = blocks[0][1] + 1
+    descriptor, order = UNIVERSAL[element]
+    single, text = nodes == 15, ""
+    if single:
+        points = np.array([[float(f"{x:.5E}") for x in X] for X in points])
+    for n, X in enumerate(points, 1):
+        reals = "".join(f"{x:13.5E}" if single else f"{x:25.16E}".replace("E", "D") for x in X) + "\n"
+        text += records([n, 1, 1, 11]).rstrip("\n" if single else "") + reals
+    file = dataset(nodes, text)
+    text = records([900, 24, 1, 1, 1, 1, 7, 3] if elements == 780 else [900, 24, 1, 1, 7, 3]) + records([0, 1, 1]) + records([1, 2, 3])
+    for e, cell in enumerate(cells, 10):
+        ours = np.empty(len(order), int)
+        ours[order] = cell
+        material = 5 if e == 10 else 6
+        text += records([e, descriptor, 1, 1, 1, material, 7, len(cell)] if elements == 780 else [e, descriptor, 1, material, 7, len(cell)])
+        text += records(ours)
+    file += dataset(elements, text)
+    fields = [0, 0] if groups in (2435, 2452, 2467, 2477) else []
+    members = [(7, 4), (7, 2), (8, 11), (8, 900), (2, 1)]
+    text = records([3, 0, 0, 0, 0, 0, 0, len(members)]) + "  the left one, 2 \n" + records(sum(([*m, *fields] for m in members), []))
+    file += dataset(groups, text + records([4, 0, 0, 0, 0, 0, 0, 0]) + "empty\n\n" + records([5, 0, 0, 0, 0, 0, 0, 1]) + "\n" + records([8, 10, *fields]))
+    (tmp_path / "m.unv").write_text(file.replace("\n", "\r\n") if groups == 2477 else file)
+    mesh = rw.load_mesh(tmp_path / "m.unv")
+    assert np.array_equal(mesh.points, points) and mesh.blocks[0][0] == element
+    assert np.array_equal(mesh.blocks[0][1] + 1, cells)
+    assert {name: list(sets[0]) for name, sets in mesh.cell_sets.items()} == {
+        "the left one, 2": [1], "group-5": [0], "material-5": [0], "material-6": list(range(1, len(cells)))}  # fmt: skip
+    assert {name: list(set_) for name, set_ in mesh.node_sets.items()} == {"the left one, 2": [0, 1, 2, 3]}
+
+
 @pytest.mark.parametrize("order", [1, 2])
-def test_universal_files_are_read_by_gmsh(tmp_path: pathlib.Path, order: int) -> None:
+@pytest.mark.parametrize("groups", [2467, 2477])
+def test_universal_files_of_gmsh_are_its_model(tmp_path: pathlib.Path, order: int, groups: int) -> None:
     if not shutil.which("gmsh"):
         pytest.skip("gmsh is not installed (scripts/setup --remeshing)")
-    (tmp_path / "box.geo").write_text('SetFactory("OpenCASCADE"); Box(1) = {0, 0, 0, 0.3, 1 / 7, 0.1}; Physical Volume("body", 7) = {1};'
-                                      'Physical Surface("left", 8) = {1}; Mesh.MeshSizeMax = 0.1; Mesh.SaveGroupsOfNodes = 1;\n')  # gmsh passes over a last line without an end
+    shape = ('Point(1) = {0, 0, 0}; Extrude {0.3, 0, 0} {Point{1}; Layers{2};} Extrude {0, 1 / 7, 0} {Curve{1}; Layers{2}; Recombine;} '
+             'Extrude {0, 0, 0.1} {Surface{5}; Layers{1}; Recombine;} Physical Surface("left", 8) = {18};' if groups == 2467 else
+             'SetFactory("OpenCASCADE"); Box(1) = {0, 0, 0, 0.3, 1 / 7, 0.1}; Mesh.MeshSizeMax = 0.1; Physical Surface("left", 8) = {1};')  # fmt: skip
+    (tmp_path / "box.geo").write_text(shape + 'Physical Volume("body", 7) = {1}; Mesh.SaveGroupsOfNodes = 1; Mesh.SecondOrderIncomplete = 1;\n')
     for extension, format in (("unv", "unv"), ("msh", "msh22")):
         subprocess.run(["gmsh", "-v", "1", "box.geo", "-3", "-order", str(order), "-format", format, "-bin", "-o", f"m.{extension}"],
                        cwd=tmp_path, check=True)
-    (tmp_path / "m.unv").rename(tmp_path / "m.txt")  # the content tells the format
+    text = (tmp_path / "m.unv").read_text()
+    (tmp_path / "m.txt").write_text(text.replace("  2477\n", f"  {groups}\n"))  # the content tells the format
     of_unv, of_msh = rw.load_mesh(tmp_path / "m.txt"), rw.load_mesh(tmp_path / "m.msh")
     # gmsh numbers nodes otherwise in each of its formats: they are told by their coordinates.
     ours, theirs = np.lexsort(of_unv.points.T), np.lexsort(of_msh.points.T)
@@ -468,28 +524,40 @@ def test_universal_files_are_read_by_gmsh(tmp_path: pathlib.Path, order: int) ->
     assert all(len(mesh.cell_sets["body"][0]) == len(mesh.blocks[0][1]) for mesh in (of_unv, of_msh))
 
 
-@pytest.mark.parametrize("type_,axes,matrix,said", [
-    (111, 1, "", ""),
-    (111, 2, " 1.0D+00 0.0D+00 0.0D+00\n 0.0D+00 1.0D+00 0.0D+00\n 0.0D+00 0.0D+00 1.0D+00\n 0.0D+00 0.0D+00 0.0D+00\n", ""),
-    (111, 2, " 0.0D+00 1.0D+00 0.0D+00\n-1.0D+00 0.0D+00 0.0D+00\n 0.0D+00 0.0D+00 1.0D+00\n 0.0D+00 0.0D+00 0.0D+00\n",
-     "m.unv:14: node 1 is in coordinate system 2, which is not followed"),
-    (117, 1, "", "m.unv:17: element 2 is of type 117, which gmsh does not know"),
+OWN_AXES = dataset(2420, records([1]) + "part\n" + records([2, 0, 8]) + "own axes\n{}")
+CORNERS = "".join(records([n, 2, 1, 11]) + "".join(f"{x:25.16E}" for x in X) + "\n" for n, X in enumerate(((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)), 1))
+TET = dataset(2411, CORNERS) + dataset(2412, records([1, 21, 1, 1, 7, 2]) + records([0, 1, 1]) + records([1, 2]) + records([2, 111, 1, 1, 7, 4]) + records([1, 2, 3, 4]))
+IDENTITY = " 1.0D+00 0.0D+00 0.0D+00\n 0.0D+00 1.0D+00 0.0D+00\n 0.0D+00 0.0D+00 1.0D+00\n 0.0D+00 0.0D+00 0.0D+00\n"
+GROUP = records([3, 0, 0, 0, 0, 0, 0, 1]) + "left\n"
+
+
+@pytest.mark.parametrize("text,said", [
+    (OWN_AXES.format(IDENTITY) + TET, ""),
+    (OWN_AXES.format(IDENTITY.replace(" 1.0D+00 0.0D+00", " 0.0D+00 1.0D+00", 1)) + TET, "m.unv:14: node 1 is in coordinate system 2, which is not followed"),
+    (dataset(18, records([2, 0, 0, 8, 1]) + "own axes\n" + 2 * (6 * "  0.00000E+00" + "\n")) + TET, "m.unv:10: node 1 is in coordinate system 2"),
+    (TET.replace("       111", "       117"), "m.unv:17: element 2 is of type 117; solids of types 111, 112, 113, 115, 116 and 118 are read"),
+    (TET.replace("       111", "       115"), "m.unv:17: element 2 (hex8) has 4 nodes; it must have 8"),
+    (TET.replace("         7         4", "         7         3"), "m.unv:18: element 2 has 4 nodes; its first line says 3"),
+    (TET.replace("         7         4", "         7-999999999"), "m.unv:17: element 2 has -999999999 nodes"),
+    (TET.replace("1.0000000000000000E+00", "1.0000000000000000X+00", 1), 'm.unv:6: node 2: coordinate x is "1.0000000000000000X+00"; it must be a number'),
+    (TET + dataset(2467, GROUP + records([7, 9, 0, 0])), 'm.unv:22: group "left" holds node 9, which the file does not have'),
+    (TET + dataset(2467, GROUP + records([8, 9, 0, 0])), 'm.unv:22: group "left" holds element 9, which the file does not have'),
+    (TET + dataset(2467, GROUP), 'm.unv:24: the dataset ends where group "left" is expected'),
+    (TET + dataset(2467, GROUP.replace("         1\n", "9999999999\n")), "m.unv:22: group 3 has 9999999999 members, more than the lines that follow"),
+    (dataset(2414, "results\n"), "m.unv: there are no nodes, dataset 2411, 781 or 15"),
 ])  # fmt: skip
-def test_what_gmsh_passes_over_in_universal_files_is_refused(tmp_path: pathlib.Path, type_: int, axes: int, matrix: str, said: str) -> None:
-    if not shutil.which("gmsh"):
-        pytest.skip("gmsh is not installed (scripts/setup --remeshing)")
-
-    def line(*numbers: int) -> str:
-        return "".join(f"{number:10d}" for number in numbers) + "\n"
-
-    mark, corners = "    -1\n", ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1))
-    text = f"{mark}  2420\n{line(1)}part\n{line(2, 0, 8)}own axes\n{matrix}{mark}" if matrix else ""
-    text += f"{mark}  2411\n" + "".join(line(n, axes, 1, 11) + "".join(f"{x:25.16E}" for x in X) + "\n" for n, X in enumerate(corners, 1)) + mark
-    # A rod has a line more than others.
-    text += f"{mark}  2412\n" + line(1, 21, 1, 1, 7, 2) + line(0, 1, 1) + line(1, 2) + line(2, type_, 1, 1, 7, 4) + line(1, 2, 3, 4) + mark
+def test_what_is_not_followed_in_universal_files_is_refused(tmp_path: pathlib.Path, text: str, said: str) -> None:
     (tmp_path / "m.unv").write_text(text)
     result = call("mesh", "check", tmp_path / "m.unv")
     assert said in result.stderr and result.returncode == (2 if said else 0), result
+
+
+def test_notes_of_universal_files(tmp_path: pathlib.Path) -> None:
+    units = records([5]).rstrip("\n") + "  mm (milli-newton)         2\n" + "".join(f"{x:25.17E}" for x in (1000, 1000, 1)) + "\n" + f"{273.15:25.17E}\n"
+    (tmp_path / "m.unv").write_text(dataset(164, units) + TET + dataset(2414, "results\n"))
+    notes = "; ".join(rw.load_mesh(tmp_path / "m.unv").notes)
+    assert "a metre has 1000 of its units of length (mm (milli-newton)); its coordinates are taken as they stand" in notes, notes
+    assert "skipped, only nodes, elements and their groups are read: dataset 2414" in notes, notes
 
 
 @pytest.mark.parametrize("order,hexahedra", [(1, False), (1, True), (2, False), (2, True)])
