@@ -30,7 +30,8 @@ std::optional<double> readNumber(std::string_view text) {
   const std::string copy(text);
   char* end = nullptr;
   const double number = std::strtod(copy.c_str(), &end);
-  if (copy.empty() || end != copy.c_str() + copy.size()) return {};
+  const bool blank = copy.find_first_of(" \t\r\n") != std::string::npos;  // strtod skips those at the beginning
+  if (copy.empty() || blank || end != copy.c_str() + copy.size()) return {};
   return number;
 }
 

@@ -17,7 +17,7 @@ TEST(NumberFormat, ReadsWholeTextsAlone) {
   EXPECT_EQ(readNumber("+7"), 7);
   EXPECT_EQ(readNumber("1.5e-400"), 0);
   EXPECT_EQ(readNumber("1.5e400"), INFINITY);
-  for (const char* text : {"", "1,5", "1.5x", "x", "1.5 "}) EXPECT_FALSE(readNumber(text)) << text;
+  for (const char* text : {"", "1,5", "1.5x", "x", "1.5 ", " 1.5"}) EXPECT_FALSE(readNumber(text)) << text;
 }
 
 RC_GTEST_PROP(NumberFormat, IsThatOfPrintfInEveryLocale, (double number)) {
