@@ -589,6 +589,16 @@ TEST_F(DampedScene, AShortStepIsToldTheStepOfTheDampedBody) {
   EXPECT_EQ(json("r/summary.json")["certified_steps"], 20);
 }
 
+// A body that stiffens until the rule of the longer step does not prove the run's: its own does.
+TEST_F(DampedScene, AStepThatIsNoLongerFarBelowTheCriticalOneIsProvenByItsOwnRule) {
+  const std::string text = sceneOf("stiffness_damping = 2e-3", "");
+  const std::string pulled = text.substr(0, text.find("[[initial]]")) +
+                             "[[move]]\nwhere = \"x > 0.2 - 1e-6\"\nvelocity = [1, 0, 0]\n" +
+                             text.substr(text.find("[damping]"));
+  runScene(pulled, "--set integrator.step=1e-4 --set integrator.end=0.5");
+  EXPECT_EQ(json("r/summary.json")["certified_steps"], 5000);
+}
+
 TEST_F(DampedScene, RefusesWhatDoesNotGoTogether) {
   refuse(sceneOf("", "quadratic_bulk_viscosity = 1"),
          "damping.quadratic_bulk_viscosity: goes with bulk_viscosity = true");
