@@ -21,6 +21,7 @@ bool startsWithXml(std::string_view text) {
   return at != std::string_view::npos && text[at] == '<';
 }
 
+bool startsWithVtkXml(std::string_view text) { return detail::behindProlog(text).starts_with("<VTKFile"); }
 bool startsWithMsh(std::string_view text) { return text.starts_with("$MeshFormat") || text.starts_with("$Comments"); }
 bool startsWithLegacyVtk(std::string_view text) { return text.starts_with("# vtk DataFile"); }
 
@@ -56,7 +57,7 @@ constexpr MeshFormatEntry formatsOfLibrary[] = {
      .readPath = readTetgenPath},
     {{".vtu", "VTK XML unstructured grid", "text, binary and compressed", true},
      detail::readVtu,
-     startsWithXml,
+     startsWithVtkXml,
      "<VTKFile",
      detail::writeVtuWithSets},
     {{".vtk", "legacy VTK unstructured grid", "text and binary", false},

@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/meshes/formats/file_cursor.h>
@@ -27,10 +31,16 @@ const std::vector<std::string> usualNames{
 std::vector<std::pair<std::string, std::string>> attributesOf(const std::string& text, const std::string& tag,
                                                               const std::string& one, const std::string& other) {
   const auto attribute = [&](std::size_t from, std::size_t to, const std::string& name) {
-    const std::size_t begin = text.find(" " + name + "=\"", from);
-    if (begin == std::string::npos || begin > to) return std::string();
-    const std::size_t first = begin + name.size() + 3;
-    return text.substr(first, text.find('"', first) - first);
+    constexpr std::string_view blanks = " \t\r\n";
+    for (std::size_t at = text.find(name, from); at < to; at = text.find(name, at + 1)) {
+      if (blanks.find(text[at - 1]) == std::string_view::npos) continue;
+      const std::size_t equals = text.find_first_not_of(blanks, at + name.size());
+      if (equals >= to || text[equals] != '=') continue;
+      const std::size_t quote = text.find_first_not_of(blanks, equals + 1);
+      if (quote >= to || (text[quote] != '"' && text[quote] != '\'')) continue;
+      return text.substr(quote + 1, text.find(text[quote], quote + 1) - quote - 1);
+    }
+    return std::string();
   };
   std::vector<std::pair<std::string, std::string>> values;
   for (std::size_t at = text.find("<" + tag); at != std::string::npos; at = text.find("<" + tag, at + 1)) {
@@ -70,12 +80,38 @@ struct UnlikeFirst {
   std::string note(std::size_t states) const {
     return joinText(where, ": tells ", firstHas ? "no numbers" : "numbers", " of its ", of,
                     ", which the first state does", firstHas ? "" : " not", ": in ", count, " of ", states, " states ",
-                    of, " are matched by their place in the file");
+                    of, " are matched by their ", of == "nodes" ? "place in the file" : "nodes");
   }
 };
 
-/// Puts positions, displacements and deleted elements of a state in the order of the first one's, by the numbers of
-/// nodes and elements where both have some. Throws InputError where they are not the same.
+/// Elements of a mesh by their type and their nodes in any order.
+class ElementsByNodes {
+ public:
+  /// numbers: of the nodes, by which they are sought.
+  ElementsByNodes(const Mesh& mesh, const std::vector<std::int32_t>& numbers) {
+    for (std::size_t b = 0; b < mesh.blocks.size(); ++b)
+      for (std::size_t e = 0; e < mesh.blocks[b].elementCount(); ++e) {
+        const std::int32_t* const nodes = mesh.blocks[b].element(e);
+        std::vector<std::int32_t> own(nodes, nodes + mesh.blocks[b].nodesPerElement());
+        for (std::int32_t& node : own) node = numbers[static_cast<std::size_t>(node)];
+        std::ranges::sort(own);
+        elements_.emplace(std::pair(mesh.blocks[b].type, std::move(own)), ElementRef(b, e));
+      }
+  }
+  std::optional<ElementRef> find(const MeshBlock& block, std::size_t e) const {
+    std::vector<std::int32_t> own(block.element(e), block.element(e) + block.nodesPerElement());
+    std::ranges::sort(own);
+    const auto found = elements_.find(std::pair(block.type, std::move(own)));
+    return found == elements_.end() ? std::nullopt : std::optional(found->second);
+  }
+
+ private:
+  std::map<std::pair<ElementType, std::vector<std::int32_t>>, ElementRef> elements_;
+};
+
+/// Puts positions, displacements and deleted elements of a state in the order of the first one's: nodes by their
+/// numbers where both have some, elements by theirs or else by their nodes. Throws InputError where they are not the
+/// same.
 void orderAs(const Mesh& first, bool nodesHaveNumbers, bool elementsHaveNumbers, detail::ResultFrame& frame,
              const std::string& where) {
   const auto refuse = [&](const auto&... what) {
@@ -96,23 +132,30 @@ void orderAs(const Mesh& first, bool nodesHaveNumbers, bool elementsHaveNumbers,
   }
   const bool byNumber = elementsHaveNumbers && frame.elementsHaveNumbers;
   std::vector<std::vector<bool>> deleted;
+  std::optional<ElementsByNodes> byNodes;
+  const auto hasNodesOf = [&](const MeshBlock& block, std::size_t e, ElementRef own) {
+    const auto at = static_cast<std::size_t>(own.block), element = static_cast<std::size_t>(own.element);
+    if (at >= mesh.blocks.size() || element >= mesh.blocks[at].elementCount() || mesh.blocks[at].type != block.type)
+      return false;
+    const std::int32_t* const nodes = block.element(e);
+    return std::equal(
+        nodes, nodes + block.nodesPerElement(), mesh.blocks[at].element(element),
+        [&](std::int32_t node, std::int32_t theirs) { return node == inFirst[static_cast<std::size_t>(theirs)]; });
+  };
   for (std::size_t b = 0; b < first.blocks.size(); ++b) {
     const MeshBlock& block = first.blocks[b];
     deleted.emplace_back(block.elementCount());
     for (std::size_t e = 0; e < block.elementCount(); ++e) {
-      const std::optional<ElementRef> own = byNumber ? numbers.element(block.id(e)) : ElementRef{b, e};
+      std::optional<ElementRef> own = byNumber ? numbers.element(block.id(e)) : ElementRef{b, e};
       if (!own) refuse("has no element ", block.id(e), ", which the first state has");
-      const auto ownBlock = static_cast<std::size_t>(own->block), ownElement = static_cast<std::size_t>(own->element);
-      const bool isThere = ownBlock < mesh.blocks.size() && ownElement < mesh.blocks[ownBlock].elementCount() &&
-                           mesh.blocks[ownBlock].type == block.type;
-      const auto isSame = [&](std::int32_t node, std::int32_t theirs) {
-        return node == inFirst[static_cast<std::size_t>(theirs)];
-      };
-      const std::int32_t* nodes = block.element(e);
-      if (!isThere ||
-          !std::equal(nodes, nodes + block.nodesPerElement(), mesh.blocks[ownBlock].element(ownElement), isSame))
-        refuse("element ", block.id(e), " has other nodes than in the first state");
-      if (!frame.deleted.empty()) deleted[b][e] = frame.deleted[ownBlock][ownElement];
+      if (!hasNodesOf(block, e, *own)) {
+        if (!byNumber && !byNodes) byNodes.emplace(mesh, inFirst);
+        own = byNumber ? std::nullopt : byNodes->find(block, e);
+        if (!own || !hasNodesOf(block, e, *own))
+          refuse("element ", block.id(e), " has other nodes than in the first state, or in another order");
+      }
+      if (!frame.deleted.empty())
+        deleted[b][e] = frame.deleted[static_cast<std::size_t>(own->block)][static_cast<std::size_t>(own->element)];
     }
   }
   if (!frame.deleted.empty()) frame.deleted = std::move(deleted);
@@ -206,8 +249,16 @@ Mesh detail::standingMesh(ResultFrame frame, const std::string& source, Notes* n
 
 std::vector<PvdEntry> readPvd(const fs::path& file) {
   std::vector<PvdEntry> entries;
+  const auto timeOf = [&](const std::string& word) {
+    char* end = nullptr;
+    const double time = std::strtod(word.c_str(), &end);
+    if (*end != '\0' || !std::isfinite(time))
+      throw InputError(joinText(file.string(), ": the timestep of state ", entries.size() + 1, " is ",
+                                detail::quoted(word), "; it must be a number, s"));
+    return time;
+  };
   for (const auto& [time, name] : attributesOf(detail::readWholeFile(file), "DataSet", "timestep", "file"))
-    entries.push_back({std::strtod(time.c_str(), nullptr), name});
+    entries.push_back({timeOf(time), name});
   return entries;
 }
 

@@ -8,7 +8,7 @@
 namespace ringwatch {
 
 /// The rule of a run's steps. What damps counts for a step at which the rule is exact: that of the scene, or the safe
-/// step of the body where the scene's is far below it. There the first says much less of longer steps than is true.
+/// step of the body where the scene's is far below it and its rule says much less of longer steps than is true.
 class RunRule {
  public:
   /// The body counts its damping for this rule.

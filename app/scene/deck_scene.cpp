@@ -1177,6 +1177,15 @@ class DeckReader : DeckWriter {
           fmt::format("{}: *DYNAMIC, EXPLICIT without *BULK VISCOSITY: there is none here, as in CalculiX; "
                       "Abaqus/Explicit has 0.06 and 1.2 unasked, which *BULK VISCOSITY says here",
                       where));
+    const auto requirePositive = [&](double value, std::string_view what, std::string_view instead) {
+      if (!(value > 0))
+        throw InputError(fmt::format("{}: *DYNAMIC: its {} is {}; it must be above 0{}", where, what, value, instead));
+    };
+    if ((isExplicit || forRun()) && times_.size() > 1) {
+      if (fixed)
+        requirePositive(times_[0], "step", " s, which DIRECT holds; without DIRECT the step follows the safe one");
+      requirePositive(times_[1], "length", " s");
+    }
     if (!forRun()) {
       // The step that the deck asks for is one to hold against the bracket.
       if (isExplicit && fixed && times_.size() > 1) integrator = Json{{"step", times_[0]}, {"end", times_[1]}};

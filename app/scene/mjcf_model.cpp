@@ -252,6 +252,9 @@ class MjcfReader {
         throw InputError(fmt::format("{}: {} is the name of another flex, too", flex.origin, inQuotes(flex.name)));
     model_.notes.push_back(
         fmt::format("{}: contact is a constraint of MuJoCo's solver, and in no bracket", file_.string()));
+    for (const auto& [attribute, left] : leftOutOfJoints_)
+      leaveOutOnTheSafeSide(left.first, fmt::format("{} of the joints of vertices{}", attribute,
+                                                    left.count == 1 ? "" : fmt::format(" ({} times)", left.count)));
     if (!left_.empty())
       model_.notes.push_back(fmt::format("{}: left out, they are no 3-D flexes: {}", file_.string(), leftOut()));
     return std::move(model_);
@@ -268,8 +271,8 @@ class MjcfReader {
     model_.notes.push_back(fmt::format("{} {}", element.origin(), what));
   }
   /// Of what makes every step stable that is stable without.
-  void leaveOutOnTheSafeSide(const XmlElement& element, const std::string& what) {
-    note(element, what + ": left out, it can only let larger steps be stable");
+  void leaveOutOnTheSafeSide(const std::string& origin, const std::string& what) {
+    model_.notes.push_back(fmt::format("{} {}: left out, it can only let larger steps be stable", origin, what));
     model_.leavesOutWhatEnlargesTheStep = true;
   }
 
@@ -359,8 +362,9 @@ class MjcfReader {
         const bool isExplicit = model_.integrator == "RK4" || (model_.integrator == "Euler" && dampsJointsExplicitly_);
         if (force == std::string_view("damping") && isExplicit)
           e->fail(force, "of the joints of vertices is explicit with this integrator, and not here; take it out");
-        if (safelyLeftOut_.insert(e->node.internal_object()).second)
-          leaveOutOnTheSafeSide(*e, fmt::format("{} of the joints of vertices", force));
+        if (!safelyLeftOut_.insert({e->node.internal_object(), force}).second) continue;
+        LeftOutOfJoints& left = leftOutOfJoints_[force];
+        if (left.count++ == 0) left.first = e->origin();
       }
   }
 
@@ -873,7 +877,13 @@ class MjcfReader {
   std::map<std::string, DefaultClass> defaults_;
   std::vector<TreeBody> bodies_;
   std::map<std::string, std::int64_t> left_;
-  std::set<const void*> safelyLeftOut_;
+  std::set<std::pair<const void*, std::string>> safelyLeftOut_;  // elements, and their attribute
+  /// What is told once of all elements that give it.
+  struct LeftOutOfJoints {
+    std::string first;  // where
+    std::size_t count = 0;
+  };
+  std::map<std::string, LeftOutOfJoints> leftOutOfJoints_;  // by the attribute
 };
 
 }  // namespace
@@ -886,15 +896,7 @@ std::vector<double> Flex::differentMasses() const {
 
 bool isMjcfFile(const fs::path& file) {
   const std::string begin = detail::beginOfFile(file);
-  // Behind a declaration and comments the root element begins.
-  std::string_view rest = begin;
-  for (;;) {
-    rest.remove_prefix(std::min(rest.find_first_not_of(" \t\r\n"), rest.size()));
-    const std::string_view end = rest.starts_with("<!--") ? "-->" : rest.starts_with("<?") ? "?>" : "";
-    const std::size_t close = end.empty() ? std::string_view::npos : rest.find(end);
-    if (close == std::string_view::npos) break;
-    rest.remove_prefix(close + end.size());
-  }
+  const std::string_view rest = detail::behindProlog(begin);
   constexpr std::string_view root = "<mujoco";
   return rest.starts_with(root) && rest.size() > root.size() &&
          std::string_view(" \t\r\n>/").find(rest[root.size()]) != std::string_view::npos;

@@ -628,16 +628,16 @@ double correctedReference(const Scene& scene, Body& body, DampingRates rates, do
 
 }  // namespace
 
-StepByRule stepOfTopMode(const Body& body, const NodeVectors& x) {
+StepByRule stepOfTopMode(const Body& body, const NodeVectors& x, double (*side)(const StepRule&, LowerBound)) {
   const auto mode = std::make_shared<NodeVectors>(3, body.nodeCount());
   for (Eigen::Index i = 0; i < mode->size(); ++i) mode->data()[i] = randomEntry(1, static_cast<std::uint64_t>(i));
-  return [&body, &x, mode, seen = 0.0](const StepRule& rule) mutable {
+  return [&body, &x, mode, side, seen = 0.0](const StepRule& rule) mutable {
     // The first search starts from a random direction.
     constexpr int firstProducts = 60, products = 15;
     const LowerBound lower = rayleighLowerBound(body, x, *mode, seen == 0 ? firstProducts : products, &seen);
     // Brackets from scratch are about so wide, and the rule is to be exact at the safe side.
     constexpr double width = 0.01;
-    return (1 - width) * optimisticStep(lower, rule);
+    return (1 - width) * side(rule, lower);
   };
 }
 

@@ -29,8 +29,13 @@ struct ReferencedRule {
 /// A step of the body, s, by a rule; not positive and finite where there is none.
 using StepByRule = std::function<double(const StepRule&)>;
 /// About the safe step at positions x (3×N, m), for a reference, by the Rayleigh quotient of the top mode: it takes a
-/// small part of what a bracket does. It follows the mode from call to call. body, x: by reference.
-StepByRule stepOfTopMode(const Body& body, const NodeVectors& x);
+/// small part of what a bracket does. It follows the mode from call to call. body, x: by reference. side: what is made
+/// of the quotient.
+StepByRule stepOfTopMode(
+    const Body& body, const NodeVectors& x,
+    double (*side)(const StepRule&, LowerBound) = [](const StepRule& rule, LowerBound lambda) {
+      return optimisticStep(lambda, rule);
+    });
 /// What counts of damping by velocities (ElementDamping::overcount).
 enum class DampingRates {
   atRest,   ///< what bodies need that do not move, exactly

@@ -95,6 +95,20 @@ std::string beginOfFile(const std::filesystem::path& path) {
   return begin;
 }
 
+std::string_view behindProlog(std::string_view text) {
+  for (;;) {
+    text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+    const std::string_view end = text.starts_with("<!--")                                    ? "-->"
+                                 : text.starts_with("<?")                                    ? "?>"
+                                 : text.starts_with("<!") && text.find('[') < text.find('>') ? "]>"
+                                 : text.starts_with("<!")                                    ? ">"
+                                                                                             : "";
+    const std::size_t close = end.empty() ? std::string_view::npos : text.find(end);
+    if (close == std::string_view::npos) return text;
+    text.remove_prefix(close + end.size());
+  }
+}
+
 std::string inUpperCase(std::string_view word) {
   std::string text(word);
   for (char& c : text) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;

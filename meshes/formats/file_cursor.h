@@ -24,6 +24,10 @@ std::string readWholeFile(const std::filesystem::path& path);
 /// for none that can be read.
 std::string beginOfFile(const std::filesystem::path& path);
 
+/// What follows the declaration, comments and type of a document of XML: its first tag. Another text without the blanks
+/// at its begin.
+std::string_view behindProlog(std::string_view text);
+
 /// Throws InputError for the text of a mesh in a format that is known but not read, and names it.
 void refuseForeign(const std::filesystem::path& path, std::string_view text);
 /// The same where states are wanted, by the extension too: none of these formats has states that are read.

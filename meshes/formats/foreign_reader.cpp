@@ -27,6 +27,10 @@ constexpr std::string_view cellsByFaces = "it gives cells by their faces; write 
 constexpr std::string_view meshOfFlex =
     "it tells how to make a mesh; gmsh makes one, and .msh is what its flexcomp reads";
 
+constexpr std::string_view rigidAlone =
+    "its bodies are rigid, and a step that is stable is set by soft ones; MuJoCo reads it and saves MJCF, to which a "
+    "flex "
+    "can be added";
 constexpr std::string_view asDyna =
     "OpenRadioss reads LS-DYNA decks, too, and so does ringwatch: give the .k file that it was made of, or write one "
     "in "
@@ -77,6 +81,9 @@ constexpr ForeignFormat formats[] = {
     {{}, " .obj ", "a surface in OBJ", {}, fillIt},
     {"ISO-10303-21", " .step .stp ", "a geometry in STEP", {}, "gmsh makes a mesh of it"},
     {"<mujoco", {}, "a model of MuJoCo (MJCF)", {}, meshOfFlex},
+    {"<robot", " .urdf ", "a robot in URDF", {}, rigidAlone},
+    {"<sdf", " .sdf ", "a world of Gazebo (SDF)", {}, rigidAlone},
+    {"<COLLADA", " .dae ", "a surface in COLLADA", {}, fillIt},
 };
 
 [[noreturn]] void refuse(const std::filesystem::path& path, const ForeignFormat& format) {
@@ -93,10 +100,7 @@ std::vector<std::string> linesOf(const std::filesystem::path& path) {
 }  // namespace
 
 const ForeignFormat* foreignByContent(std::string_view text) {
-  std::string_view begin = text.substr(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
-  // Of XML the first tag that is neither a declaration nor a comment tells the format.
-  while (begin.starts_with("<?") || begin.starts_with("<!"))
-    begin.remove_prefix(std::min(begin.find('<', 1), begin.size()));
+  std::string_view begin = behindProlog(text);
   // Behind its title a Tecplot file names its variables.
   if (inUpperCase(begin.substr(0, 5)) == "TITLE") begin.remove_prefix(std::min(begin.find('\n') + 1, begin.size()));
   for (const ForeignFormat& format : formats)

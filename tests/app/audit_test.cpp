@@ -284,6 +284,7 @@ TEST_F(Audits, MatchNodesAndElementsByTheirNumbers) {
   struct State {
     std::vector<int> nodes, elements;  // in the order of the file
     int nodeShift = 0, elementShift = 0;
+    bool tellsElements = true;
   };
   static constexpr double places[5][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -1}};
   static constexpr int connectivity[2][4] = {{0, 1, 2, 3}, {0, 2, 1, 4}};
@@ -306,9 +307,9 @@ TEST_F(Audits, MatchNodesAndElementsByTheirNumbers) {
     folder_.write(name,
                   fmt::format("# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 5 "
                               "double\n{}CELLS 2 10\n{}CELL_TYPES 2\n10\n10\nPOINT_DATA 5\nVECTORS U double\n{}"
-                              "SCALARS NODE_ID int 1\nLOOKUP_TABLE default\n{}CELL_DATA 2\nSCALARS ELEMENT_ID int "
+                              "SCALARS NODE_ID int 1\nLOOKUP_TABLE default\n{}CELL_DATA 2\nSCALARS {} int "
                               "1\nLOOKUP_TABLE default\n{}SCALARS EROSION_STATUS int 1\nLOOKUP_TABLE default\n{}",
-                              points, cells, u, nodes, ids, erosion));
+                              points, cells, u, nodes, state.tellsElements ? "ELEMENT_ID" : "PART", ids, erosion));
   };
   const std::string law = " --step 1e-5" + std::string(test::material);
   write("s0.vtk", 0, {{0, 1, 2, 3, 4}, {0, 1}});
@@ -321,6 +322,14 @@ TEST_F(Audits, MatchNodesAndElementsByTheirNumbers) {
   for (const State& state :
        {State{{4, 3, 2, 1, 0}, {1, 0}}, State{{1, 2, 0, 4, 3}, {0, 1}}, State{{0, 1, 2, 3, 4}, {1, 0}}})
     EXPECT_EQ(lastOf(state), same);
+  // Elements without numbers are told by their nodes, whose numbers are known.
+  write("s0.vtk", 0, {{0, 1, 2, 3, 4}, {0, 1}, 0, 0, false});
+  const Json byNodes = lastOf({{0, 1, 2, 3, 4}, {0, 1}, 0, 0, false});
+  EXPECT_EQ(byNodes["deleted_elements"], 1);
+  for (const State& state : {State{{4, 3, 2, 1, 0}, {1, 0}, 0, 0, false}, State{{0, 1, 2, 3, 4}, {1, 0}, 0, 0, false},
+                             State{{1, 2, 0, 4, 3}, {1, 0}}})
+    EXPECT_EQ(lastOf(state), byNodes);
+  write("s0.vtk", 0, {{0, 1, 2, 3, 4}, {0, 1}});
   // Against a deck with other numbers, which lists its nodes the other way round: by the order of the numbers.
   std::string deck = "*NODE\n";
   for (int n = 4; n >= 0; --n) deck += fmt::format("{}, {}, {}, {}\n", n + 1, places[n][0], places[n][1], places[n][2]);
@@ -471,6 +480,10 @@ TEST_F(Audits, RefuseBadInput) {
   expectRefused("audit a0.vtk --integrator implicit-euler" + material, "is no integrator with a critical step");
   folder_.write("other.vtk", folder_.read("a0.vtk").replace(folder_.read("a0.vtk").find("4 0 1 2 3"), 9, "4 0 2 1 3"));
   expectRefused("audit a0.vtk other.vtk" + material, "every state must have the same");
+  folder_.write("x.pvd",
+                "<VTKFile type=\"Collection\"><Collection>\n<DataSet timestep=\"0\" file=\"a0.vtk\"/>\n<DataSet "
+                "timestep = 'x' file = 'a0.vtk'/></Collection></VTKFile>\n");
+  expectRefused("audit x.pvd" + material, "x.pvd: the timestep of state 2 is \"x\"; it must be a number, s");
   // Results in formats whose states are not read: what they are, and what to do.
   for (const auto& [file, text, what] :
        {std::array{"d3plot", "x",

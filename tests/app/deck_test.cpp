@@ -367,6 +367,13 @@ TEST_F(Decks, HoldAFixedStep) {
       EXPECT_EQ(summary["verdict"], h < safe ? "certified" : "violated");
     }
 
+  // A step that is held must be told; the line of the keyword says where.
+  for (const std::string numbers : {", 1.", "0., 1.", "1e-5, 0."}) {
+    write(body + "*STEP\n*DYNAMIC, EXPLICIT, DIRECT USER CONTROL\n" + numbers + "\n*END STEP\n");
+    for (const char* command : {"inspect deck.inp", "run deck.inp --out f"})
+      expectRefused(command, "*DYNAMIC: its " + std::string(numbers.ends_with(" 0.") ? "length" : "step") + " is ");
+  }
+
   // SCALE FACTOR is the share of the safe step that is taken.
   double steps[2];
   for (const int i : {0, 1}) {

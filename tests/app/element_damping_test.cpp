@@ -568,6 +568,37 @@ TEST_F(DampedScene, InspectAndSuggestFindTheOneCriticalStep) {
   EXPECT_EQ(tried, 9);
 }
 
+// The first row of a run whose step is far below the critical one has the step of the damped body, and not what its
+// damping would leave of longer steps if it counted as much there.
+TEST_F(DampedScene, AShortStepIsToldTheStepOfTheDampedBody) {
+  std::string text = sceneOf("stiffness_damping = 0.1", "");
+  text.replace(text.find("[10, 2, 2]"), 10, "[4, 1, 1]");
+  text.replace(text.find("velocity = [-0.5, 0.2, 0]"), 25, "velocity = [1e-9, 0, 0]");
+  folder_.write("scene.toml", text);
+  const Scene scene = readScene(folder_.path() / "scene.toml", {});
+  std::vector<std::string> notes;
+  const double critical = denseLimit(scene, sceneMesh(scene, notes).X);
+  const std::string step = test::digits(1e-3 * critical);
+  runScene(text, "--set integrator.step=" + step + " --set integrator.end=" + test::digits(0.02 * critical));
+  const Table history = table("r/history.csv");
+  for (std::size_t row = 0; row < 20; ++row) {
+    EXPECT_LE(history.number(row, "safe_s"), critical * (1 + 1e-9));
+    EXPECT_GT(history.number(row, "safe_s"), 0.6 * critical);
+    EXPECT_GE(history.number(row, "optimistic_s"), critical * (1 - 1e-9));
+  }
+  EXPECT_EQ(json("r/summary.json")["certified_steps"], 20);
+}
+
+// A body that stiffens until the rule of the longer step does not prove the run's: its own does.
+TEST_F(DampedScene, AStepThatIsNoLongerFarBelowTheCriticalOneIsProvenByItsOwnRule) {
+  const std::string text = sceneOf("stiffness_damping = 2e-3", "");
+  const std::string pulled = text.substr(0, text.find("[[initial]]")) +
+                             "[[move]]\nwhere = \"x > 0.2 - 1e-6\"\nvelocity = [1, 0, 0]\n" +
+                             text.substr(text.find("[damping]"));
+  runScene(pulled, "--set integrator.step=1e-4 --set integrator.end=0.5");
+  EXPECT_EQ(json("r/summary.json")["certified_steps"], 5000);
+}
+
 TEST_F(DampedScene, RefusesWhatDoesNotGoTogether) {
   refuse(sceneOf("", "quadratic_bulk_viscosity = 1"),
          "damping.quadratic_bulk_viscosity: goes with bulk_viscosity = true");

@@ -366,6 +366,18 @@ TEST_F(MujocoModels, TakeAFlexOfBodiesAsTheyTakeAFlexcomp) {
   expectBracket(suggested(model(bodies, flex(names))), reference.criticalStep());
   EXPECT_THAT(call("inspect model.xml").out, Not(HasSubstr("left out, they are no")));
 
+  // What all joints have is told once.
+  std::string damped = bodies;
+  for (std::size_t at = 0; (at = damped.find("<joint", at)) != std::string::npos; at += 6)
+    damped.insert(at + 6, " damping=\"1\" armature=\"0.1\"");
+  const Json notes = suggested(model(damped, flex(names)))["notes"];
+  int told = 0;
+  for (const Json& note : notes)
+    told += note.get<std::string>().find("of the joints of vertices") == std::string::npos ? 0 : 1;
+  EXPECT_EQ(told, 2) << notes;
+  EXPECT_THAT(notes.dump(), HasSubstr(fmt::format("damping of the joints of vertices ({} times): left out",
+                                                  3 * (bar.points.size() - 1))));
+
   write(model(bodies, flex(names) + "<actuator><adhesion body=\"v3\"/></actuator>"));
   expectRefused("inspect model.xml", "<adhesion> body=\"v3\": acts on a vertex of a flex");
   write(model(bodies, flex(names) + "<tendon><spatial stiffness=\"1\"><geom geom=\"v3\"/></spatial></tendon>"));

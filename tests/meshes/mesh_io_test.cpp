@@ -456,6 +456,8 @@ TEST(MeshIo, FormatsThatAreNotReadAreNamed) {
       {"PK\x03\x04", "a packed file"},
       {"TITLE = \"a mesh\"\nVARIABLES = \"X\"\n", "a Tecplot file"},
       {"#!TDV112", "a Tecplot file"},
+      {"<?xml version=\"1.0\"?>\n<!-- <VTKFile> -->\n<robot name=\"r\"/>\n", "a robot in URDF"},
+      {"<sdf version=\"1.6\"/>\n", "a world of Gazebo"},
   };
   for (const auto& [text, name] : files)
     for (const char* file : {"m.msh", "m.vtu", "m.inp", "m.vtk", "m.frd", "m.k"}) {
