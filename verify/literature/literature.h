@@ -10,8 +10,8 @@ namespace ringwatch {
 ///    Caramés-Saddler & Rodríguez-Ferran 2010), strain along one axis, squares and triangles, regular and distorted, in
 ///    plane strain (Askes, Rodríguez-Ferran & Hetherington 2015); each with the proven bracket;
 ///  - ratios: rows and squares of squares by number and supports (Plešek, Kolman & Gabriel 2012), bounds of
-///    uniform-strain elements (Flanagan & Belytschko 1984), penalty stiffness at the end of a bar, a wave at the critical
-///    step, frequencies and estimates of Fierz 2013.
+///    uniform-strain elements (Flanagan & Belytschko 1984), penalty stiffness at the end of a bar, a wave at the
+///    critical step, frequencies and estimates of Fierz 2013.
 /// Each value has its source and how it is printed there. quick: coarser plates and shorter bars.
 StudyReport verifyLiterature(StudyEffort effort);
 
