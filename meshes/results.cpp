@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <map>
 #include <memory>
 #include <optional>
@@ -12,6 +11,7 @@
 #include <vector>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/number_format.h>
 #include <ringwatch/meshes/formats/file_cursor.h>
 #include <ringwatch/meshes/formats/mesh_readers.h>
 #include <ringwatch/meshes/mesh_io.h>
@@ -250,12 +250,11 @@ Mesh detail::standingMesh(ResultFrame frame, const std::string& source, Notes* n
 std::vector<PvdEntry> readPvd(const fs::path& file) {
   std::vector<PvdEntry> entries;
   const auto timeOf = [&](const std::string& word) {
-    char* end = nullptr;
-    const double time = std::strtod(word.c_str(), &end);
-    if (*end != '\0' || !std::isfinite(time))
+    const std::optional<double> time = readNumber(word);
+    if (!time || !std::isfinite(*time))
       throw InputError(joinText(file.string(), ": the timestep of state ", entries.size() + 1, " is ",
                                 detail::quoted(word), "; it must be a number, s"));
-    return time;
+    return *time;
   };
   for (const auto& [time, name] : attributesOf(detail::readWholeFile(file), "DataSet", "timestep", "file"))
     entries.push_back({timeOf(time), name});

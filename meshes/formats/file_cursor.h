@@ -3,13 +3,13 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <string>
 #include <string_view>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/base/number_format.h>
 
 namespace ringwatch::detail {
 
@@ -162,7 +162,7 @@ class FileCursor {
     const auto [stop, error] = std::from_chars(begin, end, value);
     if (error == std::errc::result_out_of_range && endsWord(stop)) {
       // from_chars does not tell a number too small, which is zero enough, from one too large.
-      value = std::strtod(std::string(begin, stop).c_str(), nullptr);
+      value = *readNumber({begin, stop});
       if (std::abs(value) > 1) failNumber(what, "a number that a double can hold");
     } else if (error != std::errc() || !endsWord(stop)) {
       failNumber(what, "a number");
