@@ -17,8 +17,7 @@ std::vector<ProbeQuantity> makeQuantities() {
       {Quantity::momentum, "momentum", "kg m/s", vector, total, "of nodes, lumped mass times velocity"},
       {Quantity::angularMomentum, "angular_momentum", "kg m2/s", vector, total,
        "of nodes about the origin, position times lumped mass times velocity"},
-      {Quantity::load, "load", "N", vector, total,
-       "dead loads, pressures and tables of time at nodes, at that moment"},
+      {Quantity::load, "load", "N", vector, total, "dead loads, pressures and tables of time at nodes, at that moment"},
       {Quantity::reaction, "reaction", "N", vector, total,
        "what [[fix]] and [[move]] put on nodes, at the components that they hold: internal and damping force less "
        "loads, and mass times the acceleration of a prescribed motion"},
