@@ -23,8 +23,5 @@ function(ringwatch_use_precompiled target name)
   endif()
 endfunction()
 
-# Of ringwatch the sets of the libraries and of the tests have what most files include: a file of the monitor spends a second on
-# the headers of bodies. Benchmarks have none of it: their scalars that count operations must be declared first.
 set(RINGWATCH_COMMON_HEADERS algorithm array cmath cstdint functional limits map memory optional span string string_view
   variant vector ringwatch/base/eigen_instances.h Eigen/Geometry Eigen/LU)
-set(RINGWATCH_UPPER_HEADERS ringwatch/handlers/handler.h ringwatch/integrators/body_system.h ringwatch/monitor/stability_monitor.h)
