@@ -162,7 +162,7 @@ class FileCursor {
     const auto [stop, error] = std::from_chars(begin, end, value);
     if (error == std::errc::result_out_of_range && endsWord(stop)) {
       // from_chars does not tell a number too small, which is zero enough, from one too large.
-      value = *readNumber({begin, stop});
+      value = *readNumber(std::string_view(begin, static_cast<std::size_t>(stop - begin)));
       if (std::abs(value) > 1) failNumber(what, "a number that a double can hold");
     } else if (error != std::errc() || !endsWord(stop)) {
       failNumber(what, "a number");
