@@ -56,7 +56,7 @@ TEST(CommaLocale, ChangesNothingThatIsWritten) {
   const TemporaryFolder folder;
   Mesh mesh = generateBar({.size = {1.5, 0.5, 0.25}, .cells = {2, 1, 1}, .jitter = 0.2});
   mesh.nodeIds.resize(mesh.nodeCount());
-  for (std::int32_t i = 0; i < mesh.nodeCount(); ++i) mesh.nodeIds[i] = 1000 * (i + 1);
+  for (std::size_t i = 0; i < mesh.nodeCount(); ++i) mesh.nodeIds[i] = 1000 * static_cast<std::int64_t>(i + 1);
   for (const std::string name : {"a.msh", "a.vtu"}) {
     writeMesh(mesh, folder / name);
     const CommaLocale comma;
