@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <ringwatch/base/machine_memory.h>
+#include <ringwatch/base/number_format.h>
 
 namespace ringwatch::detail {
 namespace {
@@ -71,7 +72,12 @@ std::optional<double> fortranNumber(std::string_view word) {
   }
   double value = 0;
   const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || stop != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+  if (stop != text.data() + text.size()) return std::nullopt;
+  if (error == std::errc::result_out_of_range)
+    value = *readNumber(text);  // 0 or infinite, which from_chars does not tell apart
+  else if (error != std::errc())
+    return std::nullopt;
+  if (!std::isfinite(value)) return std::nullopt;
   return value;
 }
 
