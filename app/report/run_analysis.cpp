@@ -44,8 +44,8 @@ constexpr WaveRule waveRules[] = {{"pressure-wave:min-height", CharacteristicLen
                                   {"pressure-wave:in-radius", CharacteristicLength::inRadius},
                                   {"pressure-wave:shortest-edge", CharacteristicLength::shortestEdge},
                                   {"pressure-wave:cell-diameter", CharacteristicLength::cellDiameter}};
-constexpr const char* ringMetric = "reduced-1-ring";
-constexpr const char* provenSides[] = {"single-element", ringMetric};
+constexpr const char* metricOfRings = "reduced-1-ring";
+constexpr const char* provenSides[] = {"single-element", metricOfRings};
 
 /// Wall time of a step, s: the least mean of a few batches, as other programs disturb the rest. Infinite where a step
 /// fails.
@@ -249,7 +249,7 @@ RunAnalysis analyseFrame(const AnalysedFrame& state) {
       for (const Direction side : {Direction::upperBound, Direction::lowerBound, Direction::estimate})
         if (field.name == stepFieldName(info, side)) {
           addRule(info, side, field.values);
-          if (!ringSteps || info.name == ringMetric) ring = field.name, ringSteps = &field.values;
+          if (!ringSteps || info.name == metricOfRings) ring = field.name, ringSteps = &field.values;
         }
   analysis.distributions = distributionsOf(std::move(steps));
   if (ringSteps)

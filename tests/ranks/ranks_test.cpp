@@ -460,7 +460,7 @@ TEST_F(RanksProgram, InspectsInParts) {
         Case{"curved", curved, "--lumping diagonal-scaling --rule hex20=gauss-3x3x3", ""}, Case{"one", single, "", ""},
         Case{"mended", mended, "", "2 nodes that no element uses are dropped"},
         Case{"apart", apart, "", "the mesh falls into 2 parts"},
-        Case{"sizes", sizes, "", "nodes lie where another node lies"}}) {
+        Case{"sizes", sizes, "", "nodes lie closer than a thousandth of an edge to another"}}) {
     SCOPED_TRACE(one.name);
     const std::string text = std::string(one.name) + ".msh", binary = std::string(one.name) + "_binary.msh";
     writeMesh(one.mesh, folder_.path() / text, MeshFormat::msh41);
