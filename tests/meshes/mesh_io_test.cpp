@@ -466,9 +466,10 @@ TEST(MeshIo, FormatsThatAreNotReadAreNamed) {
       EXPECT_NE(refused.find(std::string("this is ") + name), std::string::npos) << refused;
     }
   // What HDF5 holds is told by the name.
-  for (const auto& [file, name] : {std::pair{"m.cgns", "a CGNS file"}, {"m.h5m", "a mesh of MOAB"}}) {
-    writeBytes(folder / file, "\x89HDF\r\n\x1a\n");
-    EXPECT_NE(errorOf([&] { readMesh(folder / file); }).find(std::string("this is ") + name), std::string::npos);
+  for (const auto& known : {std::pair{"m.cgns", "a CGNS file"}, {"m.h5m", "a mesh of MOAB"}}) {
+    writeBytes(folder / known.first, "\x89HDF\r\n\x1a\n");
+    EXPECT_NE(errorOf([&] { readMesh(folder / known.first); }).find(std::string("this is ") + known.second),
+              std::string::npos);
   }
   writeBytes(folder / "flat.vtk",
              "# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 3 float\n0 0 0\n1 0 0\n0 1 "
