@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <functional>
 
 #include <ringwatch/base/atomic_file.h>
 #include <ringwatch/base/error.h>
@@ -74,25 +75,32 @@ TEST(AtomicFile, IsOnTheDiskBeforeItHasItsNameAndItsNameIsThereAtTheEnd) {
   EXPECT_TRUE(synced.empty());
 }
 
+/// Expects that this signal ends the program that does this work.
+void expectEndedBy(int number, const std::function<void()>& work) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    std::signal(number, SIG_DFL);
+    removeLeftoversOnSignals();
+    work();
+    ::_exit(0);
+  }
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  ASSERT_TRUE(WIFSIGNALED(status));
+  EXPECT_EQ(WTERMSIG(status), number);
+}
+
 // What a signal ends while it writes leaves no half of a file behind.
 TEST(AtomicFile, LeavesNothingWhereASignalEndsTheProgram) {
   for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
     const TemporaryFolder folder;
     writeBytes(folder / "a.txt", "old");
-    const pid_t child = ::fork();
-    if (child == 0) {
-      std::signal(number, SIG_DFL);
-      removeLeftoversOnSignals();
+    expectEndedBy(number, [&] {
       writeFileAtomically(folder / "a.txt", [&](const std::filesystem::path& temporary) {
         writeBytes(temporary, "half");
         std::raise(number);
       });
-      ::_exit(0);
-    }
-    int status = 0;
-    ASSERT_EQ(::waitpid(child, &status, 0), child);
-    ASSERT_TRUE(WIFSIGNALED(status));
-    EXPECT_EQ(WTERMSIG(status), number);
+    });
     EXPECT_EQ(folder.fileCount(), 1u);
     EXPECT_EQ(readBytes(folder / "a.txt"), "old");
   }
@@ -102,11 +110,8 @@ TEST(AtomicFile, LeavesNothingWhereASignalEndsTheProgram) {
 TEST(AtomicFile, LeavesNoTemporaryFolderWhereASignalEndsTheProgram) {
   for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
     const TemporaryFolder folder;
-    const pid_t child = ::fork();
-    if (child == 0) {
+    expectEndedBy(number, [&] {
       ::setenv("TMPDIR", folder.path().c_str(), 1);
-      std::signal(number, SIG_DFL);
-      removeLeftoversOnSignals();
       const ScratchFolder scratch;
       std::filesystem::create_directories(scratch.path() / "sub/sub");
       for (int i = 0; i < 300; ++i) writeBytes(scratch.path() / "sub" / std::to_string(i), "a part");
@@ -115,12 +120,7 @@ TEST(AtomicFile, LeavesNoTemporaryFolderWhereASignalEndsTheProgram) {
       const std::string writes = joinText("i=0; while :; do echo a > sub/w$i; i=$((i+1)); [ $i = 50 ] && kill -",
                                           std::to_string(number), " $PPID; done");
       runProgram({"/bin/sh", "-c", writes}, scratch.path());
-      ::_exit(0);
-    }
-    int status = 0;
-    ASSERT_EQ(::waitpid(child, &status, 0), child);
-    ASSERT_TRUE(WIFSIGNALED(status));
-    EXPECT_EQ(WTERMSIG(status), number);
+    });
     EXPECT_EQ(folder.fileCount(), 0u);
   }
 }
