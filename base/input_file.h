@@ -18,7 +18,7 @@ namespace ringwatch {
 /// behind it where it cannot be opened or read to there: a stream of the standard library ends in silence at an error.
 inline std::string readBytes(const std::filesystem::path& path, std::string_view hint = {},
                              std::size_t most = std::numeric_limits<std::size_t>::max()) {
-  constexpr std::size_t part = std::size_t{1} << 20;
+  std::size_t part = std::size_t{1} << 20;
   const auto repeated = [](const auto& call) {
     for (;;)
       if (const auto result = call(); result >= 0 || errno != EINTR) return result;
@@ -32,8 +32,10 @@ inline std::string readBytes(const std::filesystem::path& path, std::string_view
   } const closed{file};
   std::string bytes;
   ssize_t count = file;
-  if (const off_t size = file < 0 ? 0 : ::lseek(file, 0, SEEK_END); size > 0 && ::lseek(file, 0, SEEK_SET) == 0)
+  if (const off_t size = file < 0 ? 0 : ::lseek(file, 0, SEEK_END); size > 0 && ::lseek(file, 0, SEEK_SET) == 0) {
+    part = std::min(part, static_cast<std::size_t>(size) + 1);  // the end is seen behind it
     bytes.reserve(std::min(most, static_cast<std::size_t>(size) + part));
+  }
   if (file >= 0) do {
       const std::size_t before = bytes.size();
       bytes.resize(before + std::min(part, most - before));

@@ -6,6 +6,7 @@
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/body/discrete_forces.h>
+#include <ringwatch/meshes/index_limits.h>
 
 namespace ringwatch {
 namespace {
@@ -397,6 +398,7 @@ void TangentSource::assembleTangent(NodeVectorsView x, SparseTangent& tangent) c
   Eigen::SparseMatrix<double>& K = tangent.matrix;
   const auto coupledBefore = blocks.coupled;
   assembleBlocks(x, blocks);
+  requireSparse(nodeCount(), std::ssize(blocks.column));
   const bool fresh = K.nonZeros() == 0 || blocks.coupled != coupledBefore;
   if (fresh) {
     K.resize(3 * nodeCount(), 3 * nodeCount());

@@ -42,7 +42,8 @@ if(RINGWATCH_NATIVE)
 endif()
 if(RINGWATCH_SANITIZE)
   target_compile_options(ringwatch_abi INTERFACE
-    $<$<COMPILE_LANGUAGE:CXX>:-fsanitize=${RINGWATCH_SANITIZE} -fno-omit-frame-pointer>)
+    $<$<AND:$<COMPILE_LANGUAGE:CXX>,$<NOT:$<BOOL:$<TARGET_PROPERTY:RINGWATCH_UNSANITIZED>>>>:-fsanitize=${RINGWATCH_SANITIZE}>
+    $<$<COMPILE_LANGUAGE:CXX>:-fno-omit-frame-pointer>)
   target_link_options(ringwatch_abi INTERFACE -fsanitize=${RINGWATCH_SANITIZE})
 endif()
 

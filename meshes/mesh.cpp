@@ -1,6 +1,7 @@
 #include <ringwatch/meshes/mesh.h>
 
 #include <ringwatch/base/error.h>
+#include <ringwatch/meshes/index_limits.h>
 
 namespace ringwatch {
 namespace {
@@ -32,6 +33,8 @@ void requireNodesOfBlock(const Mesh& mesh, std::size_t b) {
 }  // namespace
 
 void requireValid(const Mesh& mesh) {
+  if (mesh.nodeCount() > std::size_t{nodeCountLimit})
+    throw InputError(joinText(mesh.nodeCount(), " nodes; at most ", nodeCountLimit, " are possible"));
   if (!mesh.nodeIds.empty() && mesh.nodeIds.size() != mesh.nodeCount())
     throw InputError(
         joinText(mesh.nodeIds.size(), " nodeIds for ", mesh.nodeCount(), " nodes: give none, or one a node"));

@@ -189,6 +189,11 @@ std::vector<std::int64_t> differentNumbers(const std::string& field, const std::
 
 }  // namespace
 
+void detail::requireElements(const Problems& problems) {
+  for (const MeshProblem& problem : problems)
+    if (problem.kind != MeshProblem::Kind::nonFinite) throw InputError(problem.text);
+}
+
 void detail::takeNodeNumbers(ResultFrame& frame, const std::vector<double>& values, const std::string& source,
                              Notes* notes) {
   if (values.size() != frame.mesh.nodeCount()) return;

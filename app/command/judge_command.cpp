@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdlib>
-#include <fstream>
 #include <memory>
 #include <span>
 #include <utility>
@@ -12,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <ringwatch/app/command/command.h>
+#include <ringwatch/app/command/last_number.h>
 #include <ringwatch/app/command/verify.h>
 #include <ringwatch/app/output/provenance.h>
 #include <ringwatch/app/output/report.h>
@@ -19,6 +17,7 @@
 #include <ringwatch/base/atomic_file.h>
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/infinity.h>
+#include <ringwatch/base/input_file.h>
 #include <ringwatch/base/scratch_folder.h>
 #include <ringwatch/base/subprocess.h>
 #include <ringwatch/base/user_text.h>
@@ -61,19 +60,6 @@ std::string deckText(const Mesh& mesh, double young, double poisson, double dens
   return text;
 }
 
-/// The number that stands alone in the last line of a file that is not blank, or that line.
-std::pair<std::optional<double>, std::string> lastNumberOf(const std::filesystem::path& file) {
-  constexpr const char* blanks = " \t\r";
-  std::string last;
-  std::ifstream lines(file);
-  for (std::string line; std::getline(lines, line);)
-    if (line.find_first_not_of(blanks) != std::string::npos) last = std::move(line);
-  char* end = nullptr;
-  const double value = std::strtod(last.c_str(), &end);
-  const bool alone = end != last.c_str() && std::string_view(end).find_first_not_of(blanks) == std::string_view::npos;
-  return {alone && std::isfinite(value) ? std::optional(value) : std::nullopt, last};
-}
-
 /// A rule that a shell's command tells: the last line of its standard output is the step. seconds: that it may take.
 StepRuleOfOthers ruleOfCommand(const std::string& command, double seconds) {
   return [command, seconds, folder = std::make_shared<ScratchFolder>()](const Mesh& mesh, double young, double poisson,
@@ -104,7 +90,7 @@ StepRuleOfOthers ruleOfCommand(const std::string& command, double seconds) {
         runProgram({"timeout", "--kill-after=1", fmt::format("{}", seconds), "/bin/sh", "-c", line},
                    std::filesystem::current_path(), printed);
     if (!result.found) throw InputError("--command: needs the program timeout of the GNU core utilities");
-    const auto [step, last] = lastNumberOf(printed);
+    const auto [step, last] = lastNumber(readBytes(printed));
     const std::string fault =
         result.status == outOfTime ? fmt::format("took longer than {} s, which --timeout says", seconds)
         : result.status != 0       ? fmt::format("ended with status {} and said {}", result.status,

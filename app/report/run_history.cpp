@@ -27,17 +27,34 @@ std::vector<std::string_view> cellsOf(std::string_view line) {
   return cells;
 }
 
+/// The columns of a history by their names in a system of units.
+struct NamedColumns {
+  Units units;
+  std::map<std::string, std::string_view, std::less<>> columns;
+};
+const std::vector<NamedColumns>& columnsOfSystems() {
+  static const std::vector<NamedColumns> all = [] {
+    std::vector<NamedColumns> made;
+    for (const auto& system : unitSystems) {
+      NamedColumns& of = made.emplace_back(NamedColumns{system.value, {}});
+      for (const OutputField& column : historyColumns())
+        of.columns.emplace(labelledColumns(std::string(column.name), system.value), column.name);
+    }
+    return made;
+  }();
+  return all;
+}
+
 /// The names of columns as they are in SI; units: those that most of them name.
 std::vector<std::string> inSi(const std::vector<std::string_view>& head, Units& units) {
   std::vector<std::string> best;
   std::size_t most = 0;
-  for (const auto& system : unitSystems) {
+  for (const NamedColumns& system : columnsOfSystems()) {
     std::vector<std::string> names(head.begin(), head.end());
     std::size_t known = 0;
     for (std::string& name : names)
-      for (const OutputField& column : historyColumns())
-        if (name == labelledColumns(std::string(column.name), system.value)) name = column.name, ++known;
-    if (known > most || best.empty()) best = std::move(names), most = known, units = system.value;
+      if (const auto column = system.columns.find(name); column != system.columns.end()) name = column->second, ++known;
+    if (known > most || best.empty()) best = std::move(names), most = known, units = system.units;
   }
   return best;
 }

@@ -119,13 +119,13 @@ void TimeTable::divide(double a, double b, double whole, double tolerance) {
   const double left = gauss(a, middle), right = gauss(middle, b);
   // A kink ends in a panel that has no inner times.
   if (std::abs(left + right - whole) <= tolerance || !(a < middle && middle < b)) {
+    if (times_.size() + 2 > most)
+      throw InputError(
+          fmt::format("{} changes too often before the end to be integrated", inQuotes(expression_->text())));
     for (const auto& [end, part] : {std::pair(middle, left), std::pair(b, right)}) {
       times_.push_back(end);
       integrals_.push_back(integrals_.back() + part);
     }
-    if (times_.size() > most)
-      throw InputError(
-          fmt::format("{} changes too often before the end to be integrated", inQuotes(expression_->text())));
     return;
   }
   divide(a, middle, left, tolerance);

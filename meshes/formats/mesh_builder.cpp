@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <unordered_map>
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/sort_unique.h>
+#include <ringwatch/meshes/index_limits.h>
 
 namespace ringwatch::detail {
 namespace {
@@ -190,12 +190,12 @@ std::size_t requireVolumes(std::span<const FoundElements> found, std::size_t nod
         joinText(source, ": there are no volume elements",
                  dropped + leftOut == 0 ? "" : joinText(", only ", dropped + leftOut, " of surfaces, lines or points"),
                  "; a mesh of tetrahedra or hexahedra is needed", hint));
-  constexpr std::size_t limit = std::numeric_limits<std::int32_t>::max();
-  if (nodes > limit) throw InputError(joinText(source, ": ", nodes, " nodes; at most ", limit, " are possible"));
+  if (nodes > std::size_t{nodeCountLimit})
+    throw InputError(joinText(source, ": ", nodes, " nodes; at most ", nodeCountLimit, " are possible"));
   for (const FoundElements& list : found)
-    if (list.count > limit && list.type->dimension == 3)
-      throw InputError(joinText(source, ": ", list.count, " elements of type ", list.type->name(), "; at most ", limit,
-                                " are possible"));
+    if (list.count > std::size_t{elementCountLimit} && list.type->dimension == 3)
+      throw InputError(joinText(source, ": ", list.count, " elements of type ", list.type->name(), "; at most ",
+                                elementCountLimit, " are possible"));
   return dropped;
 }
 

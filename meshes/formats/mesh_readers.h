@@ -64,6 +64,8 @@ void takeNodeNumbers(ResultFrame& frame, const std::vector<double>& values, cons
 bool mayTellOfElements(std::string_view text);
 /// The mesh of what is not deleted, with a note. Throws InputError where all is.
 Mesh standingMesh(ResultFrame frame, const std::string& source, Notes* notes);
+/// Throws InputError for the first problem of a state that is none of its numbers: those may be not finite.
+void requireElements(const Problems& problems);
 /// names: of the displacement; the first that there is. notes: of the mesh, or nullptr.
 ResultFrame readVtuResult(const std::filesystem::path& path, const std::string& text,
                           const std::vector<std::string>& names, Notes* notes);

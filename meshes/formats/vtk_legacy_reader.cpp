@@ -379,6 +379,7 @@ ResultFrame readLegacyVtkResult(const std::filesystem::path& path, const std::st
   ResultFrame frame;
   Problems problems;
   frame.mesh = reader.read(notes, &problems);
+  requireElements(problems);
   const auto nodes = static_cast<Eigen::Index>(frame.mesh.nodeCount());
   const std::vector<LegacyReader::DataField> fields = reader.dataFields();
   for (const LegacyReader::DataField& field : fields)

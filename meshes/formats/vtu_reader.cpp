@@ -700,6 +700,7 @@ ResultFrame readVtuResult(const std::filesystem::path& path, const std::string& 
   ResultFrame frame;
   Problems problems;  // points that are not finite are the audit's business
   frame.mesh = reader.read(notes, &problems);
+  requireElements(problems);
   frame.vectors = reader.vectorNames();
   frame.deformedPoints = reader.deformedPoints();
   frame.nodesHaveNumbers = reader.nodesHaveNumbers();

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <numeric>
 #include <unordered_map>
@@ -13,6 +12,7 @@
 #include <ringwatch/base/random.h>
 #include <ringwatch/base/sort_unique.h>
 #include <ringwatch/base/user_text.h>
+#include <ringwatch/meshes/index_limits.h>
 #include <ringwatch/meshes/modify/bisection.h>
 #include <ringwatch/meshes/quality.h>
 
@@ -62,11 +62,11 @@ struct Grid {
       cellTotal *= count[k];
     }
     if (split.centre) total += cellTotal;
-    constexpr double limit = std::numeric_limits<std::int32_t>::max();
-    if (total > limit || cellTotal * split.elementsPerCell > limit)
+    if (total > static_cast<double>(nodeCountLimit) ||
+        cellTotal * split.elementsPerCell > static_cast<double>(elementCountLimit))
       throw InputError(joinText("cells = [", count[0], ", ", count[1], ", ", count[2], "]: that is ", total,
-                                " nodes and ", cellTotal * split.elementsPerCell, " elements; at most ", limit,
-                                " are possible"));
+                                " nodes and ", cellTotal * split.elementsPerCell, " elements; at most ", nodeCountLimit,
+                                " and ", elementCountLimit, " are possible"));
     cornerNodes = nodes[0] * nodes[1] * nodes[2];
   }
   std::int64_t node(std::int64_t i, std::int64_t j, std::int64_t k) const {

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <queue>
 #include <utility>
 
+#include <ringwatch/base/error.h>
 #include <ringwatch/base/sort_unique.h>
 #include <ringwatch/body/discrete_forces.h>
 #include <ringwatch/body/nodes_of.h>
@@ -48,6 +50,20 @@ std::vector<std::int32_t> LocalMode::grow(const NodeVectors& mode) const {
   }
   std::sort(region.begin(), region.end());
   return region;
+}
+
+void LocalMode::requireRegion() const {
+  const bool ascends = std::ranges::adjacent_find(region_, std::greater_equal<>()) == region_.end();
+  if (!ascends || (!region_.empty() && (region_.front() < 0 || region_.back() >= body_.nodeCount())))
+    throw InputError("saved state: a region has nodes that the body has not");
+}
+void LocalMode::requireVector() const {
+  const Eigen::Index nodes = part_ ? part_->nodeCount() : 0;
+  if (vector_.cols() != 0 && vector_.cols() != nodes)
+    throw InputError("saved state: a mode is of another part of the body");
+  if (highest_.block < 0 || highest_.block >= std::ssize(body_.blocks()) || highest_.element < 0 ||
+      highest_.element >= body_.blocks()[highest_.block]->elementCount())
+    throw InputError("saved state: an element is none of the body");
 }
 
 void LocalMode::makePart(const std::vector<std::int32_t>& region) {

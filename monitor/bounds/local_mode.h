@@ -60,13 +60,18 @@ class LocalMode {
     if constexpr (Archive::loads) {
       part_.reset();
       nodes_.clear();
+      requireRegion();
       if (!region_.empty()) makePart(region_);
     }
     a(vector_, largest_, last_, highest_, discreteShare_, spentProducts_, sinceSearch_, sinceImproved_, isNew_);
     archiveVersion(a, bodyVersion_, body_.version());
+    if constexpr (Archive::loads) requireVector();
   }
 
  private:
+  /// Throw InputError unless what was read are nodes of the body, ascending, and a mode of their part.
+  void requireRegion() const;
+  void requireVector() const;
   /// Nodes of the region, grown from the largest entry.
   std::vector<std::int32_t> grow(const NodeVectors& mode) const;
   void makePart(const std::vector<std::int32_t>& region);

@@ -468,6 +468,27 @@ TEST_F(Audits, TakeRulesAndLumpingAsInspectDoes) {
   expectRefused("audit r/run.pvd --lumping even" + std::string(test::material), "--lumping");
 }
 
+TEST_F(Audits, RefuseElementsOfNodesThatAreNotThere) {
+  writeVtk("a.vtk", 0, 0, [](const Eigen::Vector3d& X) { return X; });
+  const std::string legacy = folder_.read("a.vtk");
+  const std::string options = std::string(test::material) + " --step 1e-4";
+  for (const std::string node : {"17", "-1", "-5"}) {
+    std::string text = legacy;
+    text.replace(text.find("4 0 1 2 3"), 9, "4 0 1 2 " + node);
+    folder_.write("bad.vtk", text);
+    folder_.write("bad.vtu", R"(<VTKFile type="UnstructuredGrid"><UnstructuredGrid>
+<Piece NumberOfPoints="4" NumberOfCells="1"><Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">
+0 0 0 1 0 0 0 1 0 0 0 1</DataArray></Points><Cells><DataArray type="Int64" Name="connectivity" format="ascii">0 1 2 )" +
+                                 node + R"(</DataArray>
+<DataArray type="Int64" Name="offsets" format="ascii">4</DataArray>
+<DataArray type="UInt8" Name="types" format="ascii">10</DataArray></Cells></Piece></UnstructuredGrid></VTKFile>)");
+    for (const std::string file : {"bad.vtk", "bad.vtu"}) {
+      expectRefused("audit " + file + options, "refers to node " + node + ", which the file does not have");
+      expectRefused("audit a.vtk " + file + options, "refers to node " + node + ", which the file does not have");
+    }
+  }
+}
+
 TEST_F(Audits, RefuseBadInput) {
   writeVtk("a0.vtk", 0, 0, [](const Eigen::Vector3d& X) { return X; });
   const std::string material = test::material;

@@ -160,12 +160,14 @@ what = "max_stretch"
 )";
 
 // RINGWATCH_KILLS: how many times runs are killed (kill -9), 18 without. As many thirds are stopped by other signals.
+// RINGWATCH_SEED: other moments, so that processes side by side try different ones.
 TEST_F(Checkpoints, ResumedRunsHaveTheBitsOfTheOneThatWasNotStopped) {
   const char* wanted = std::getenv("RINGWATCH_KILLS");
   const int kills = wanted ? std::atoi(wanted) : 18;
   folder_.write("block.toml", slidingBlock);
   folder_.write("mounted.toml", mountedBar);
-  std::mt19937 random(11);
+  const char* seed = std::getenv("RINGWATCH_SEED");
+  std::mt19937 random(seed ? static_cast<unsigned>(std::atoi(seed)) : 11U);
   int resumed = 0, killed = 0, stopped = 0, compared = 0;
   const struct {
     const char *name, *scene, *options;

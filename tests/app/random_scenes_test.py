@@ -1,6 +1,6 @@
 """Random scenes of all features together, through the command line.
 
-  random_scenes_test.py PROGRAM [--scenes N] [--seed S] [--keep FOLDER]
+  random_scenes_test.py PROGRAM [--scenes N] [--seed S] [--seconds T] [--keep FOLDER]
 
 Scenes take turns with the pairs of FEATURES, and draw others beside. Of each: the program ends with a known exit status; it refuses what its
 table does, in one line that names two that do not go together, and leaves nothing behind; what it runs has a summary, no error ends it, and each feature has acted where it reaches its end;
@@ -12,6 +12,7 @@ import collections
 import csv
 import itertools
 import json
+import math
 import os
 import pathlib
 import random
@@ -303,13 +304,17 @@ def main():
     parser.add_argument("program", type=lambda file: str(pathlib.Path(file).resolve()))
     parser.add_argument("--scenes", type=int, default=int(os.environ.get("RINGWATCH_RANDOM_SCENES", str(len(PAIRS)))), help="how many (as many as there are pairs)")
     parser.add_argument("--seed", type=int, default=1, help="of the first scene (1)")
+    parser.add_argument("--seconds", type=float, default=math.inf, help="begin no scene after so long")
     parser.add_argument("--keep", type=pathlib.Path, help="folder for scenes that fail")
     options = parser.parse_args()
     schema = subprocess.run([options.program, "schema", "scene"], stdout=subprocess.PIPE, text=True, check=True).stdout
     table = json.loads(schema)["x-capabilities"]
+    end = time.monotonic() + options.seconds
     statuses, resumed, failed = collections.Counter(), 0, 0
     acted = collections.Counter()
     for seed in range(options.seed, options.seed + options.scenes):
+        if time.monotonic() > end:
+            break
         with tempfile.TemporaryDirectory() as folder:
             trial = Trial(options.program, pathlib.Path(folder), seed, table)
             faults, status = trial.faults()
@@ -323,11 +328,12 @@ def main():
                 failed += 1
                 if options.keep:
                     shutil.copytree(folder, options.keep / str(seed), dirs_exist_ok=True)
-    print(f"{options.scenes} scenes: " + ", ".join(f"{count} with exit status {status}" for status, count in sorted(statuses.items())) +
+    scenes = statuses.total()
+    print(f"{scenes} scenes: " + ", ".join(f"{count} with exit status {status}" for status, count in sorted(statuses.items())) +
           f"; {resumed} resumed; {failed} failed; acted: " + ", ".join(f"{name} {acted[name]}" for name in FEATURES))
-    missing = [name for name in FEATURES if not acted[name]] if options.scenes >= len(PAIRS) else []
+    missing = [name for name in FEATURES if not acted[name]] if scenes >= len(PAIRS) else []
     # Scenes that are all refused would show nothing.
-    if failed or missing or statuses[0] < options.scenes / 4:
+    if failed or missing or statuses[0] < scenes / 4:
         sys.exit(1)
 
 

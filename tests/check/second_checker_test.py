@@ -10,11 +10,13 @@ import argparse
 import concurrent.futures
 import functools
 import itertools
+import math
 import os
 import pathlib
 import subprocess
 import sys
 import tempfile
+import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import second_checker as second  # noqa: E402
@@ -110,11 +112,13 @@ def genuine_faults(checked, made):
     return failed
 
 
-def tampered_faults(checked, program, trials, seed):
+def tampered_faults(checked, program, trials, seed, seconds):
     """Of what the test IsProvenOnlyWhereItIsTrue makes, in batches, each of its own seed."""
-    failed, tried, accepted, batch = 0, 0, 0, 2000
+    failed, tried, accepted, batch, end = 0, 0, 0, 2000, time.monotonic() + seconds
     with concurrent.futures.ProcessPoolExecutor(os.cpu_count()) as pool:
         for first in range(0, trials, batch):
+            if time.monotonic() > end:
+                break
             with tempfile.TemporaryDirectory() as name:
                 asked = {"RINGWATCH_TAMPERED_CERTIFICATES": str(min(batch, trials - first)), "RINGWATCH_TAMPERED_FOLDER": name, "RINGWATCH_SEED": str(seed)}
                 made = subprocess.run([program, "--gtest_filter=TamperedCertificate.IsProvenOnly*"], env={**os.environ, **asked}, capture_output=True, check=False)
@@ -123,7 +127,7 @@ def tampered_faults(checked, program, trials, seed):
                     tried, accepted, failed = tried + 1, accepted + (status == 0), failed + fault
             seed += 1
     print(f"{tried} tampered with, {accepted} of them still proven, {failed} badly")
-    assert tried == trials and trials // 100 < accepted < trials // 2, "too few or too many are accepted to show anything"
+    assert tried // 100 < accepted < tried // 2, "too few or too many are accepted to show anything"
     return failed
 
 
@@ -144,13 +148,14 @@ def main():
     parser.add_argument("tests", type=lambda file: pathlib.Path(file).resolve())
     parser.add_argument("--trials", type=int, default=2000)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--seconds", type=float, default=math.inf, help="begin no batch after so long")
     parser.add_argument("--keep", type=pathlib.Path)
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         made = Certificates(options.ringwatch, folder).make()
         checked = Checked(options.checker, folder, options.keep)
-        failed = genuine_faults(checked, made) + tampered_faults(checked, options.tests, options.trials, options.seed)
+        failed = genuine_faults(checked, made) + tampered_faults(checked, options.tests, options.trials, options.seed, options.seconds)
         print(f"{len(made)} certificates; {failed} failed")
     sys.exit(failed > 0)
 

@@ -6,7 +6,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <regex>
 #include <span>
 #include <sstream>
 #include <string>
@@ -15,10 +14,14 @@
 
 #include <check/proof.h>
 #include <ringwatch/app/command/command_line.h>
+#include <ringwatch/app/command/last_number.h>
 #include <ringwatch/app/command/verify.h>
+#include <ringwatch/app/output/frames.h>
+#include <ringwatch/app/output/history.h>
 #include <ringwatch/app/report/run_history.h>
 #include <ringwatch/app/report/run_report.h>
 #include <ringwatch/app/run/checkpoint.h>
+#include <ringwatch/app/run/saved_result.h>
 #include <ringwatch/app/scene/deck_scene.h>
 #include <ringwatch/app/scene/scene.h>
 #include <ringwatch/app/scene/time_table.h>
@@ -27,6 +30,7 @@
 #include <ringwatch/base/fnv.h>
 #include <ringwatch/base/scratch_folder.h>
 #include <ringwatch/materials/registry.h>
+#include <ringwatch/meshes/formats/msh_outline.h>
 #include <ringwatch/meshes/generators/generators.h>
 #include <ringwatch/meshes/mesh_io.h>
 #include <ringwatch/meshes/results.h>
@@ -85,7 +89,8 @@ std::string changed(std::string text, std::string_view changes) {
   }
   return text;
 }
-/// A monitor goes on from the bytes of another one with changes; the first byte chooses its options.
+/// A monitor goes on from the bytes of another one with changes; the first byte chooses its options. What is cut has a
+/// checksum of its own; what is changed has that of the whole, as damage leaves it: nothing is promised of forgeries.
 void loadMonitor(const Path&, const std::string& bytes) {
   struct Saved {
     MonitorOptions options;
@@ -107,10 +112,12 @@ void loadMonitor(const Path&, const std::string& bytes) {
   if (bytes.empty()) return;
   const Saved& saved = all[static_cast<unsigned char>(bytes[0]) % all.size()];
   StabilityMonitor monitor(body, saved.options);
-  monitor.load(sealed(changed(std::string(*unsealed(saved.bytes)), std::string_view(bytes).substr(1))));
+  const std::string whole(*unsealed(saved.bytes)), made = changed(whole, std::string_view(bytes).substr(1));
+  monitor.load(whole.starts_with(made) ? sealed(made) : made + saved.bytes.substr(whole.size()));
   monitor.observe(1, h, X, v, h);
 }
 
+bool isDigit(char c) { return c >= '0' && c <= '9'; }
 /// A word each line. Nothing is touched outside the folder, and no mesh is large: numbers have one digit.
 void runCommand(const Path& folder, const std::string& bytes) {
   if (bytes.find('/') != bytes.npos || bytes.find("..") != bytes.npos) return;
@@ -121,7 +128,10 @@ void runCommand(const Path& folder, const std::string& bytes) {
         "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n$EndNodes\n"
         "$Elements\n1\n1 4 0 1 2 3 4\n$EndElements\n");
   std::vector<std::string> words{"ringwatch"};
-  std::istringstream lines(std::regex_replace(bytes, std::regex("([0-9])[0-9]+"), "$1"));
+  std::string shortened;
+  for (const char c : bytes)
+    if (!isDigit(c) || shortened.empty() || !isDigit(shortened.back())) shortened += c;
+  std::istringstream lines(shortened);
   for (std::string word; std::getline(lines, word);) words.push_back(word.c_str());
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
@@ -130,6 +140,17 @@ void runCommand(const Path& folder, const std::string& bytes) {
   std::filesystem::current_path(before);
   std::filesystem::remove_all(folder);
 }
+
+constexpr std::string_view smallScene = R"([mesh]
+generate = "bar"
+[material]
+model = "stvk"
+young = 30e3
+poisson = 0.3
+density = 1000
+[integrator]
+end = 1
+)";
 
 struct Target {
   std::string_view name;
@@ -143,6 +164,17 @@ constexpr Target targets[] = {
     {"frd", "input.frd", readMesh},
     {"inp", "input.inp", readMesh},
     {"k", "input.k", readMesh},
+    {"unv", "input.unv", readMesh},
+    {"repair", "input.msh",
+     [](const Path& file, const std::string& bytes) {
+       write(file, bytes);
+       orRefused([&] {
+         std::vector<std::string> notes, ofMesh;
+         checkMeshFile(file, &notes, &ofMesh);
+       });
+       loadMesh(file, nullptr, true);
+     }},
+    {"msh-outline", "input.msh", [](const Path& file, const std::string& bytes) { detail::outlineMsh(file, bytes); }},
     {"tetgen", "input.node",  // two files, the elements behind the first '#', which begins a comment
      [](const Path& file, const std::string& bytes) {
        const std::size_t nodes = std::min(bytes.find('#'), bytes.size());
@@ -153,6 +185,16 @@ constexpr Target targets[] = {
     {"vtk-results", "input.vtk", readResults},
     {"frd-results", "input.frd", readResults},
     {"pvd", "input.pvd", readResults},
+    {"vtu-state", "input.vtu",
+     [](const Path& file, const std::string& bytes) {
+       write(file, bytes);
+       loadVtuState(file, "displacement");
+     }},
+    {"frames", "run.pvd",
+     [](const Path& file, const std::string& bytes) {
+       write(file, bytes);
+       framesOfRun(file.parent_path());
+     }},
     {"abaqus", "input.inp", readModel},
     {"ls-dyna", "input.k", readModel},
     {"mjcf", "input.xml", readModel},
@@ -160,6 +202,15 @@ constexpr Target targets[] = {
      [](const Path& file, const std::string& bytes) {
        write(file, bytes);
        readScene(file);
+     }},
+    {"set", "input.toml",  // an assignment of --set each line
+     [](const Path& file, const std::string& bytes) {
+       static const bool written = (write(file, smallScene), true);
+       static_cast<void>(written);
+       std::vector<std::string> assignments;
+       std::istringstream lines(bytes);
+       for (std::string line; std::getline(lines, line);) assignments.push_back(line);
+       readScene(file, assignments);
      }},
     {"where", "",
      [](const Path&, const std::string& text) {
@@ -169,7 +220,14 @@ constexpr Target targets[] = {
     {"checkpoint", checkpointFile,
      [](const Path& file, const std::string& bytes) {
        write(file, sealed(bytes));
-       sceneOf(readCheckpoint(file.parent_path()));
+       const Checkpoint checkpoint = readCheckpoint(file.parent_path());
+       const Scene scene = sceneOf(checkpoint);
+       RunResult result;
+       try {
+         resumeResult(checkpoint.parts.at("result"), scene, static_cast<std::size_t>(checkpoint.state.x.cols()),
+                      result);
+       } catch (const nlohmann::json::exception&) {  // RunCheckpoints::resume takes it
+       }
      }},
     {"monitor", "", loadMonitor},
     {"certificate", "",
@@ -177,6 +235,12 @@ constexpr Target targets[] = {
        constexpr std::size_t checksum = 8;
        if (bytes.size() >= checksum) check::verify(test::sealed(bytes));
      }},
+    {"rows", "history.csv",  // as a run that goes on reads them
+     [](const Path& file, const std::string& bytes) {
+       write(file, bytes);
+       readHistory(file.parent_path());
+     }},
+    {"last-number", "", [](const Path&, const std::string& text) { lastNumber(text); }},
     {"history", "history.csv",
      [](const Path& file, const std::string& bytes) {
        write(file, bytes);

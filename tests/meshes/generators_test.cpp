@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 
+#include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <random>
 
@@ -10,6 +12,7 @@
 #include <ringwatch/meshes/check.h>
 #include <ringwatch/meshes/generators/generator_registry.h>
 #include <ringwatch/meshes/generators/generators.h>
+#include <ringwatch/meshes/index_limits.h>
 #include <ringwatch/meshes/quality.h>
 
 #include "tests/meshes/mesh_test_tools.h"
@@ -227,6 +230,19 @@ TEST(GeneratorTable, ArgumentsArriveAndMistakesAreNamed) {
   EXPECT_THAT(wrong("bar", {{"jitter", 0.5}}), HasSubstr("jitter = 0.5: it must be 0 or more and below 0.5"));
   EXPECT_THAT(wrong("bar", {{"element", std::string("hex9")}}), HasSubstr("hex8"));
   EXPECT_THAT(wrong("bar", {{"element", std::string("hex8")}, {"split", 5.0}}), HasSubstr("bar: split = 5"));
+}
+
+// Numbers of nodes and elements fit 32 bits, and so do those of degrees of freedom and of a matrix's entries.
+TEST(Limits, AreOfThirtyTwoBits) {
+  EXPECT_LE(3 * nodeCountLimit + 2, std::numeric_limits<std::int32_t>::max());
+  EXPECT_GT(3 * (nodeCountLimit + 1) + 2, std::numeric_limits<std::int32_t>::max());
+  // 8e8 nodes have numbers of 32 bits, their degrees of freedom have not.
+  for (const std::array<int, 3> cells : {std::array{1000, 1000, 800}, {2000, 2000, 1000}, {46341, 46341, 46341}})
+    EXPECT_THROW(generateBar({.cells = cells, .element = "hex8"}), InputError) << cells[0];
+  constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max() / 9;
+  EXPECT_NO_THROW(requireSparse(1, most));
+  EXPECT_THROW(requireSparse(1, most + 1), InputError);
+  EXPECT_THROW(requireSparse(1, std::int64_t{1} << 60), InputError);
 }
 
 }  // namespace

@@ -1,7 +1,13 @@
 // The bound from a region around the top mode: below dense eigenvalues whatever the region, the whole when it holds the
 // whole, close to it on a regular grid, and of the masses and constraints of now.
+#include <cstring>
+#include <limits>
+#include <string>
+
 #include <gtest/gtest.h>
 
+#include <ringwatch/base/archive.h>
+#include <ringwatch/base/error.h>
 #include <ringwatch/monitor/bounds/local_mode.h>
 #include <ringwatch/monitor/bounds/rayleigh.h>
 #include <tests/monitor/monitor_cases.h>
@@ -104,6 +110,45 @@ TEST(LocalMode, FollowsMassesAndConstraints) {
   for (std::int32_t i = 0; i < body.nodeCount(); i += 3) body.constraints().fix(i);
   lambda = DenseTangent(body, body.mesh().X).largest();
   EXPECT_NEAR(mode.evaluate(body.mesh().X).value, lambda, 1e-6 * lambda);
+}
+
+TEST(LocalMode, RefusesSavedNodesAndElementsThatTheBodyHasNot) {
+  const Body body = test::boxBody(test::allSubdivisions().front(), "stvk");
+  const NodalBound incidences(body);
+  LocalMode mode(body, incidences, 3, 2);
+  mode.choose(anyMode(body, 1), 4);
+  mode.evaluate(body.mesh().X);
+  SavingArchive saving;
+  mode.archive(saving);
+  const std::string saved = saving.take();
+  const auto load = [&](const std::string& bytes) {
+    LocalMode loaded(body, incidences, 3, 2);
+    LoadingArchive archive(bytes);
+    loaded.archive(archive);
+  };
+  load(saved);
+  // The size that the region may have and the one that it has come before its nodes, which ascend.
+  constexpr std::size_t firstNode = 2 * sizeof(std::size_t);
+  for (const std::int32_t node : {-1, body.nodeCount(), std::numeric_limits<std::int32_t>::max()}) {
+    std::string forged = saved;
+    std::memcpy(forged.data() + firstNode, &node, sizeof node);
+    EXPECT_THROW(load(forged), InputError) << node;
+  }
+  // Whatever four bytes are others, it is refused or what is read is of the body.
+  for (std::size_t place = firstNode; place + sizeof(std::int32_t) <= saved.size(); place += sizeof(std::int32_t)) {
+    std::string forged = saved;
+    std::memset(forged.data() + place, 0x7f, sizeof(std::int32_t));
+    LocalMode loaded(body, incidences, 3, 2);
+    LoadingArchive archive(forged);
+    try {
+      loaded.archive(archive);
+    } catch (const InputError&) {
+      continue;
+    }
+    const ElementRef highest = loaded.highestElement();
+    ASSERT_LT(static_cast<std::size_t>(highest.block), body.blocks().size()) << place;
+    ASSERT_LT(highest.element, body.blocks()[highest.block]->elementCount()) << place;
+  }
 }
 
 TEST(LocalMode, HasNoBoundWithoutAMode) {
