@@ -471,7 +471,7 @@ TEST_F(Audits, TakeRulesAndLumpingAsInspectDoes) {
 TEST_F(Audits, RefuseBadInput) {
   writeVtk("a0.vtk", 0, 0, [](const Eigen::Vector3d& X) { return X; });
   const std::string material = test::material;
-  expectRefused("audit a0.vtk", "--young is required, or --scene with the materials");
+  expectRefused("audit a0.vtk", "--young, --poisson and --density are required, or --scene with the materials");
   expectRefused("audit nowhere.frd" + material, "nowhere.frd: cannot read: there is no such file");
   expectRefused("audit a0.vtk --displacement V" + material,
                 "no field \"V\"; fields of three components at the points: \"U\"");
