@@ -433,6 +433,16 @@ TEST_F(Audits, CountElementsThatDamp) {
   EXPECT_EQ(call(arguments + " --report page.html").status, 0);
 }
 
+// The page calls an element as the table of the command does: by its number in the file.
+TEST_F(Audits, PageNamesElementsByTheirNumbers) {
+  writeFrd({{0.01, 1, turned}, {0.1, 100, turned}});
+  call("audit bar.frd --report page.html" + std::string(test::material));
+  EXPECT_THAT(folder_.read("page.html"),
+              HasSubstr("Who controls the critical step (numbers of the mesh file)</caption>"));
+  EXPECT_THAT(folder_.read("page.html"),
+              HasSubstr("<th scope=\"row\" class=\"number\">7</th><td class=\"number\">100.0 %</td>"));
+}
+
 // Of a run of our own: the brackets of its frames are those that inspect tells.
 TEST_F(Audits, AgreeWithInspectAboutFrames) {
   folder_.write("scene.toml", test::tiny);
