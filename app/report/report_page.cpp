@@ -553,7 +553,7 @@ PageSection verdictSection(const PageVerdict& verdict, const std::vector<std::st
     html += "</ul>\n";
   };
   list("What to do", verdict.remedies);
-  list("What this page lacks", notes);
+  list("Notes of this page", notes);
   return {"verdict", "Verdict", html + more + "</section>\n"};
 }
 
