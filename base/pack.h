@@ -231,15 +231,15 @@ using NativePack = Pack<double, nativeWidth>;
 
 namespace detail {
 typedef double Row4 __attribute__((vector_size(32)));
-RINGWATCH_INLINE Row4 loadRow(const double* p) {
-  Row4 r;
-  std::memcpy(&r, p, sizeof r);
-  return r;
-}
+// Rows are written to what the caller has: GCC warns of a function that returns one where AVX is off.
+RINGWATCH_INLINE void loadRow(const double* p, Row4& r) { std::memcpy(&r, p, sizeof r); }
 /// Four rows (x, y, z, unused) to all x, all y, all z.
 RINGWATCH_INLINE void transposeRows(const double* table, const std::uint16_t* row, Row4 c[3]) {
-  const Row4 r0 = loadRow(table + 4 * row[0]), r1 = loadRow(table + 4 * row[1]);
-  const Row4 r2 = loadRow(table + 4 * row[2]), r3 = loadRow(table + 4 * row[3]);
+  Row4 r0, r1, r2, r3;
+  loadRow(table + 4 * row[0], r0);
+  loadRow(table + 4 * row[1], r1);
+  loadRow(table + 4 * row[2], r2);
+  loadRow(table + 4 * row[3], r3);
   const Row4 t0 = __builtin_shufflevector(r0, r1, 0, 4, 2, 6), t1 = __builtin_shufflevector(r0, r1, 1, 5, 3, 7);
   const Row4 t2 = __builtin_shufflevector(r2, r3, 0, 4, 2, 6), t3 = __builtin_shufflevector(r2, r3, 1, 5, 3, 7);
   c[0] = __builtin_shufflevector(t0, t2, 0, 1, 4, 5);
@@ -254,7 +254,9 @@ RINGWATCH_INLINE void addTransposed(double* table, const std::uint16_t* row, Row
   const Row4 rows[4] = {__builtin_shufflevector(t0, t2, 0, 1, 4, 5), __builtin_shufflevector(t1, t3, 0, 1, 4, 5),
                         __builtin_shufflevector(t0, t2, 2, 3, 6, 7), __builtin_shufflevector(t1, t3, 2, 3, 6, 7)};
   for (int i = 0; i < 4; ++i) {
-    const Row4 sum = loadRow(table + 4 * row[i]) + rows[i];
+    Row4 sum;
+    loadRow(table + 4 * row[i], sum);
+    sum += rows[i];
     std::memcpy(table + 4 * row[i], &sum, sizeof sum);
   }
 }

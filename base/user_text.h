@@ -41,4 +41,15 @@ std::string shortList(const Names& names) {
   return text;
 }
 
+/// "a, b and c".
+template <std::ranges::forward_range Names>
+std::string listed(const Names& names) {
+  std::string text;
+  for (auto name = std::ranges::begin(names); name != std::ranges::end(names);) {
+    const std::string_view shown = *name++;
+    text += (text.empty() ? "" : name == std::ranges::end(names) ? " and " : ", ") + std::string(shown);
+  }
+  return text;
+}
+
 }  // namespace ringwatch

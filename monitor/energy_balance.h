@@ -17,8 +17,8 @@ struct Energies {
   double dissipated = 0;    // by damping, since the start
 };
 
-/// Energy of the whole body at a strain of 1e-12, J. Less is rounding, whose changes are as large as itself. Collective
-/// (body/domain.h).
+/// Energy of the whole body, J, below which there is rounding, whose changes are as large as itself: that at a strain
+/// of 1e-12, or what the law's own rounding makes of such a strain. Collective (body/domain.h).
 double roundingEnergy(const Body& body);
 
 /// The energy balance of a run. Prescribed motion does work ∫ f · dx, f the internal force at moved nodes, summed by

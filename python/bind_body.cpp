@@ -7,6 +7,7 @@
 
 #include <ringwatch/base/error.h>
 #include <ringwatch/base/nearest_name.h>
+#include <ringwatch/base/units.h>
 #include <ringwatch/base/user_text.h>
 #include <ringwatch/python/arrays.h>
 #include <ringwatch/python/held.h>
@@ -180,8 +181,8 @@ void bindBody(py::module_& module) {
       .def_readonly("density", &Material::density, "kg/m3")
       .def_property_readonly("wave_speed", &Material::waveSpeed, "Of a pressure wave at rest, m/s.")
       .def("__repr__", [](const Material& self) {
-        return joinText("<Material ", self.lawName(), ": ", self.density, " kg/m3, pressure wave ", self.waveSpeed(),
-                        " m/s>");
+        return labelled(joinText("<Material ", self.lawName(), ": ", self.density, " kg/m3, pressure wave ",
+                                 self.waveSpeed(), " m/s>"));
       });
 
   auto body = bindClass<py::class_<HeldBody, std::shared_ptr<HeldBody>>>(
@@ -195,7 +196,7 @@ void bindBody(py::module_& module) {
       py::arg("rules") = ElementRules(), py::arg("threads") = 0);
   body.def("__repr__",
            [](const HeldBody& self) {
-             return joinText("<Body: ", meshText(self.body.mesh()), ", ", self.body.totalMass(), " kg>");
+             return labelled(joinText("<Body: ", meshText(self.body.mesh()), ", ", self.body.totalMass(), " kg>"));
            })
       .def_property_readonly("node_count", [](const HeldBody& self) { return self.body.nodeCount(); })
       .def_property_readonly("element_count", [](const HeldBody& self) { return self.body.mesh().elementCount(); })

@@ -54,12 +54,8 @@ Scene sceneOfAudit(const AuditOptions& options) {
   Scene scene;
   SceneMaterial& material = scene.materials.emplace_back();
   material.model = options.model.empty() ? "stvk" : options.model;
-  for (const OptionInfo& parameter : lawNamed(material.model).parameters)
-    if (parameter.fallback.empty() && !options.parameters.find(parameter.name))
-      throw InputError(
-          fmt::format("--{} is required, or --scene with the materials; see ringwatch audit --help", parameter.name));
-  if (!options.density)
-    throw InputError("--density is required, or --scene with the materials; see ringwatch audit --help");
+  const std::string missing = missingConstants(material.model, options.parameters, options.density);
+  if (!missing.empty()) throw InputError(missing + ", or --scene with the materials; see ringwatch audit --help");
   material.density = *options.density;
   scene.method = "symplectic-euler";
   scene.meshOrigin = options.results.front().string();

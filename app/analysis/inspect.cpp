@@ -197,15 +197,12 @@ Subject subjectOfModel(const InspectOptions& options) {
 /// Of a mesh file without a scene. Throws before a large mesh is read.
 Scene sceneOfMeshFile(const InspectOptions& options) {
   Scene scene;
-  const LawInfo& law = lawNamed(options.model.value_or(std::string(InspectOptions::usualModel)));
-  const auto require = [&](bool given, std::string_view name) {
-    if (given) return;
+  const std::string missing = missingConstants(options.model.value_or(std::string(InspectOptions::usualModel)),
+                                               options.parameters, options.density);
+  if (!missing.empty()) {
     loadMesh(options.mesh, nullptr);  // of a file that is no mesh, that is the fault
-    throw InputError(fmt::format("--{} is required with a mesh file; see ringwatch inspect --help", name));
-  };
-  for (const OptionInfo& parameter : law.parameters)
-    require(!parameter.fallback.empty() || options.parameters.find(parameter.name), parameter.name);
-  require(options.density.has_value(), "density");
+    throw InputError(missing + " with a mesh file; see ringwatch inspect --help");
+  }
   scene.materials.emplace_back().model = InspectOptions::usualModel;
   scene.method = InspectOptions::usualIntegrator;
   scene.lumping = InspectOptions::usualLumping;

@@ -51,22 +51,26 @@ std::string commandTyped(int argc, char** argv) {
 /// CLI11's message for a wrong usage, on one line, with the nearest known option or command.
 std::string usageText(const CLI::App& app, const CLI::ParseError& fault) {
   std::string text = oneLine(fault.what());
+  const CLI::App* innermost = &app;
+  std::string command = "ringwatch";
+  while (!innermost->get_subcommands().empty()) {
+    innermost = innermost->get_subcommands().front();
+    command += " " + innermost->get_name();
+  }
   // An unknown command is reported by CLI11 as a missing one.
   const bool unknown = dynamic_cast<const CLI::ExtrasError*>(&fault) != nullptr ||
                        dynamic_cast<const CLI::RequiredError*>(&fault) != nullptr;
   if (unknown && !app.remaining(true).empty()) {
-    const CLI::App* innermost = &app;
-    while (!innermost->get_subcommands().empty()) innermost = innermost->get_subcommands().front();
     std::vector<std::string> known;
     for (const CLI::Option* option : innermost->get_options()) known.push_back(option->get_name());
-    for (const CLI::App* command : innermost->get_subcommands([](const CLI::App*) { return true; }))
-      known.push_back(command->get_name());
+    for (const CLI::App* inner : innermost->get_subcommands([](const CLI::App*) { return true; }))
+      known.push_back(inner->get_name());
     const std::string extra = app.remaining(true).front();
     const std::string hint = didYouMean(extra, known);
     text = fmt::format("unknown argument {}{}", inQuotes(extra),
                        hint.empty() ? "" : "; " + hint.substr(0, hint.size() - 1));
   }
-  return text + "; see ringwatch --help";
+  return fmt::format("{}; see {} --help", text, command);
 }
 
 ExitStatus dispatch(int argc, char** argv, const RankProgram* ranks) {

@@ -201,6 +201,7 @@ ReportResult writeAuditReport(const Audit& audit, const std::filesystem::path& f
   page.summary["events"] = std::move(events);
   page.summary["notes"] = Json::array({page.summary["note"]});
   page.history = historyOf(audit.states);
+  numberElements(*page.history, audit.body.mesh());
   const std::size_t key = keyStateOf(audit.states);
   if (key < audit.states.size()) {
     const AuditedState& state = audit.states[key];

@@ -77,6 +77,18 @@ std::string eventsOfRun(const PageContent& page) {
   return html;
 }
 
+/// Rows of a table whose cells of one number are marked as such: these stay on a line, which else would end behind the
+/// minus of an exponent.
+std::string withNumbersMarked(std::string rows) {
+  constexpr std::string_view mark = " class=\"number\"";
+  for (const std::string_view cell : {"<td>", "<th scope=\"row\">"})
+    for (std::size_t at = rows.find(cell); at != std::string::npos; at = rows.find(cell, at + 1)) {
+      const std::size_t text = at + cell.size(), end = rows.find_first_not_of("+-.0123456789e %", text);
+      if (end != std::string::npos && end > text && rows[end] == '<') rows.insert(text - 1, mark);
+    }
+  return rows;
+}
+
 /// Who controls the bracket, and for how many of the rows.
 std::string controllingTable(const RunHistory& history) {
   struct Share {
@@ -457,7 +469,7 @@ ReportResult writtenPage(const std::string& html, const PageVerdict& verdict, co
   result.file = file;
   result.bytes = html.size();
   result.title = verdict.title;
-  result.sentence = verdict.sentence;
+  result.sentence = verdict.leadText();
   result.notes = notes;
   writeFileAtomically(file, html);
   return result;
@@ -531,8 +543,7 @@ PageSection verdictSection(const PageVerdict& verdict, const std::vector<std::st
   std::string html = fmt::format(
       "<section id=\"verdict\" aria-labelledby=\"verdict-title\" class=\"{}\">\n<h2 id=\"verdict-title\">{}</h2>\n<p "
       "class=\"lead\">{}</p>\n",
-      tones[static_cast<int>(verdict.tone)], htmlText(verdict.title),
-      htmlText(verdict.lead > 0 ? verdict.sentence.substr(0, verdict.lead) : verdict.sentence));
+      tones[static_cast<int>(verdict.tone)], htmlText(verdict.title), htmlText(verdict.leadText()));
   if (verdict.lead > 0 && verdict.lead < verdict.sentence.size())
     html += fmt::format("<p>{}</p>\n", htmlText(verdict.sentence.substr(verdict.lead)));
   const auto list = [&html](const char* heading, const std::vector<std::string>& items) {
@@ -542,7 +553,7 @@ PageSection verdictSection(const PageVerdict& verdict, const std::vector<std::st
     html += "</ul>\n";
   };
   list("What to do", verdict.remedies);
-  list("What this page lacks", notes);
+  list("Notes of this page", notes);
   return {"verdict", "Verdict", html + more + "</section>\n"};
 }
 
@@ -556,7 +567,7 @@ std::string tableHtml(const std::string& caption, const std::vector<std::string>
     for (const std::string& name : head) html += fmt::format("<th scope=\"col\">{}</th>", htmlText(name));
     html += "</tr></thead>\n";
   }
-  return html + "<tbody>\n" + rows + "</tbody></table></div>\n";
+  return html + "<tbody>\n" + withNumbersMarked(rows) + "</tbody></table></div>\n";
 }
 
 std::string wideHtml(const std::string& name, const std::string& svg) {

@@ -134,6 +134,27 @@ std::optional<RunHistory> readRunHistory(const std::filesystem::path& folder) {
   return history;
 }
 
+std::optional<ElementRef> elementAt(std::string_view name) {
+  ElementRef ref;
+  const char* const end = name.data() + name.size();
+  const auto [colon, fault] = std::from_chars(name.data(), end, ref.block);
+  if (fault != std::errc() || colon == end || *colon != ':') return std::nullopt;
+  const auto [last, wrong] = std::from_chars(colon + 1, end, ref.element);
+  return wrong == std::errc() && last == end && ref.block >= 0 && ref.element >= 0 ? std::optional(ref) : std::nullopt;
+}
+
+void numberElements(RunHistory& history, const Mesh& mesh) {
+  std::vector<std::string> numbers;
+  for (const std::string& name : history.elements) {
+    const auto ref = elementAt(name);
+    if (!ref || static_cast<std::size_t>(ref->block) >= mesh.blocks.size()) return;
+    const MeshBlock& block = mesh.blocks[ref->block];
+    if (static_cast<std::size_t>(ref->element) >= block.ids.size()) return;
+    numbers.push_back(fmt::format("{}", block.ids[ref->element]));
+  }
+  history.numbers = std::move(numbers);
+}
+
 std::vector<std::size_t> rowsForPicture(const RunHistory& history, std::size_t most) {
   const std::size_t rows = history.rowCount();
   std::vector<std::size_t> kept;

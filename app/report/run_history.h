@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <ringwatch/base/units.h>
+#include <ringwatch/meshes/mesh.h>
 
 namespace ringwatch {
 
@@ -37,6 +38,11 @@ struct RunHistory {
 /// leave it, and rows with another number of cells than the head are left out with a note. Throws InputError when the
 /// file is no history at all.
 std::optional<RunHistory> readRunHistory(const std::filesystem::path& folder);
+
+/// The element that "block:element" names; empty for another text.
+std::optional<ElementRef> elementAt(std::string_view name);
+/// Finds the file's numbers of the elements, where the mesh has some.
+void numberElements(RunHistory& history, const Mesh& mesh);
 
 /// Rows of a history, ascending, of which a picture shows what all rows would show: the first and the last one, and of
 /// each bucket of rows those with the least and the largest value of each column, the first one that is not finite, and

@@ -1,7 +1,6 @@
 #include <ringwatch/app/report/run_report.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -91,16 +90,6 @@ std::optional<double> mostStrainedTime(const RunHistory& history, const Smallest
   return found;
 }
 
-/// An element by its "block:element"; empty for another text.
-std::optional<ElementRef> elementAt(std::string_view name) {
-  ElementRef ref;
-  const char* const end = name.data() + name.size();
-  const auto [colon, fault] = std::from_chars(name.data(), end, ref.block);
-  if (fault != std::errc() || colon == end || *colon != ':') return std::nullopt;
-  const auto [last, wrong] = std::from_chars(colon + 1, end, ref.element);
-  return wrong == std::errc() && last == end && ref.block >= 0 && ref.element >= 0 ? std::optional(ref) : std::nullopt;
-}
-
 /// Whether elements keep their places through a run.
 bool keepsItsElements(const Json& summary) {
   if (!summary.is_object()) return false;
@@ -131,19 +120,6 @@ std::vector<ElementRef> controllingOf(const Json& summary, const std::optional<R
   for (const auto& [count, element] : rows)
     if (const auto ref = elementAt(history->elements[element])) add(*ref);
   return found;
-}
-
-/// Finds the file's numbers of the elements, where the mesh has some.
-void numberElements(RunHistory& history, const Mesh& mesh) {
-  std::vector<std::string> numbers;
-  for (const std::string& name : history.elements) {
-    const auto ref = elementAt(name);
-    if (!ref || static_cast<std::size_t>(ref->block) >= mesh.blocks.size()) return;
-    const MeshBlock& block = mesh.blocks[ref->block];
-    if (static_cast<std::size_t>(ref->element) >= block.ids.size()) return;
-    numbers.push_back(fmt::format("{}", block.ids[ref->element]));
-  }
-  history.numbers = std::move(numbers);
 }
 
 /// The time of the frame that picture, cards and analysis are of, s: that of the first violation, else that of the

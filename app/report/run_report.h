@@ -30,7 +30,7 @@ struct ReportResult {
   std::filesystem::path file;
   std::size_t bytes = 0;
   std::size_t frames = 0, framesOfRun = 0;
-  std::string title, sentence;     // the verdict
+  std::string title, sentence;     // the verdict, without what followed
   std::vector<std::string> notes;  // what could not be read
 };
 

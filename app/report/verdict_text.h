@@ -18,6 +18,8 @@ struct PageVerdict {
   std::string sentence;               // which element, what is wrong with it, when
   std::size_t lead = 0;               // the part of it that says so; the rest is what followed. 0: all of it
   std::vector<std::string> remedies;  // what to do, one sentence each
+
+  std::string leadText() const { return lead > 0 ? sentence.substr(0, lead) : sentence; }
 };
 
 /// The smallest safe step of a history's rows before a time (s), and where it was.

@@ -240,11 +240,14 @@ std::string conclusionOf(const Scene& scene, const RunResult& result) {
                      : result.certifiedSteps == result.watchedSteps
                          ? fmt::format("every step was {}", proven)
                          : fmt::format("{} of {} steps were {}", result.certifiedSteps, result.watchedSteps, proven);
+  if (scene.every > 1 && result.certifiedSteps > 0)
+    text += fmt::format(" at the states that are observed, one in {}", scene.every);
   if (result.firstViolated) text += fmt::format(", step {} is proven unstable", result.firstViolated->step);
   if (result.verdict() == "unstable")
-    text += fmt::format(", but {}", result.runaway       ? "the energy ran away"
-                                    : result.energyOff() ? "the energy balance is off"
-                                                         : result.reasonText);
+    text += fmt::format(", {} {}", result.firstViolated ? "and" : "but",
+                        result.runaway       ? "the energy ran away"
+                        : result.energyOff() ? "the energy balance is off"
+                                             : result.reasonText);
   if (result.reason == ExitReason::stepCollapsed) text += ", but " + result.reasonText;
   if (result.handler) return text + fmt::format("; {} took {} elements", scene.handler, result.handler->elements);
   if (const std::string limit = limitText(result.why); !limit.empty()) text += "; " + limit;

@@ -17,14 +17,10 @@ using F = Feature;
 /// "rk4, verlet and pefrl": the names of the entries that have a trait.
 template <class Infos, class Trait>
 std::string namesWhere(const Infos& infos, const Trait& trait) {
-  std::string names;
-  std::string_view last;
-  for (const auto& info : infos) {
-    if (!trait(info)) continue;
-    if (!last.empty()) names += fmt::format("{}{}", names.empty() ? "" : ", ", last);
-    last = info.name;
-  }
-  return fmt::format("{}{}{}", names, names.empty() ? "" : " and ", last);
+  std::vector<std::string_view> names;
+  for (const auto& info : infos)
+    if (trait(info)) names.push_back(info.name);
+  return listed(names);
 }
 
 template <class Infos, class Trait>

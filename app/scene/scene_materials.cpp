@@ -177,6 +177,15 @@ std::string SceneMaterial::selection() const {
   return where ? where->text() : "all";
 }
 
+std::string missingConstants(std::string_view model, const Options& parameters, const std::optional<double>& density) {
+  std::vector<std::string> missing;
+  for (const OptionInfo& parameter : lawNamed(model).parameters)
+    if (parameter.fallback.empty() && !parameters.find(parameter.name))
+      missing.push_back(fmt::format("--{}", parameter.name));
+  if (!density) missing.emplace_back("--density");
+  return missing.empty() ? "" : fmt::format("{} {} required", listed(missing), missing.size() > 1 ? "are" : "is");
+}
+
 std::string modelsText(const std::vector<SceneMaterial>& materials) {
   std::vector<std::string> models;
   for (const SceneMaterial& material : materials)

@@ -34,6 +34,9 @@ struct SceneMaterial {
 /// The laws of materials, each once: "stvk, neo-hookean".
 std::string modelsText(const std::vector<SceneMaterial>& materials);
 
+/// "--young and --density are required": the options that a material of a law lacks; "" where it lacks none.
+std::string missingConstants(std::string_view model, const Options& parameters, const std::optional<double>& density);
+
 /// What decides which material an element has.
 enum class MaterialsBy {
   scene,  ///< the conditions and sets of the scene

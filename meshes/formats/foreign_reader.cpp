@@ -23,6 +23,7 @@ namespace {
 
 constexpr std::string_view writeAnother = "gmsh, meshio and most meshers write .msh, .vtu or .inp";
 constexpr std::string_view fillIt = "a surface has no volume elements; gmsh and tetgen fill one with tetrahedra";
+constexpr std::string_view meshIt = "gmsh makes a mesh of it: gmsh -3 FILE -o part.msh";
 constexpr std::string_view cellsByFaces = "it gives cells by their faces; write the mesh as .msh of gmsh or as .inp";
 constexpr std::string_view meshOfFlex =
     "it tells how to make a mesh; gmsh makes one, and .msh is what its flexcomp reads";
@@ -79,7 +80,8 @@ constexpr ForeignFormat formats[] = {
     {"ply", {}, "a surface in PLY", {}, fillIt},
     {"OFF", {}, "a surface in OFF", {}, fillIt},
     {{}, " .obj ", "a surface in OBJ", {}, fillIt},
-    {"ISO-10303-21", " .step .stp ", "a geometry in STEP", {}, "gmsh makes a mesh of it"},
+    {"ISO-10303-21", " .step .stp ", "a geometry in STEP", {}, meshIt},
+    {"SetFactory", " .geo .geo_unrolled ", "a geometry of gmsh", {}, meshIt},
     {"<mujoco", {}, "a model of MuJoCo (MJCF)", {}, meshOfFlex},
     {"<robot", " .urdf ", "a robot in URDF", {}, rigidAlone},
     {"<sdf", " .sdf ", "a world of Gazebo (SDF)", {}, rigidAlone},

@@ -84,7 +84,8 @@ class MshReader {
       }
       cursor_.expectLine(joinText("$End", section.substr(1)));
     }
-    if (!nodes) throw InputError(source_ + ": the file ends without a $Nodes section; is it cut short?");
+    if (!nodes)
+      throw InputError(source_ + ": the file ends without a $Nodes section; is it cut short, or was nothing meshed?");
     if (!elements) throw InputError(source_ + ": the file ends without an $Elements section; is it cut short?");
   }
 

@@ -37,7 +37,7 @@ from ._ringwatch import (
     metric_names,
     use_units,
 )
-from ._convert import mesh_from
+from ._convert import grid_of, mesh_from
 from ._device_monitor import DeviceMonitor
 from ._run import Audit, Comparison, RunResult, audit, compare, report, run
 from ._study import load_study
@@ -71,6 +71,7 @@ __all__ = [
     "audit",
     "compare",
     "generate_mesh",
+    "grid_of",
     "inspect",
     "judge",
     "load_mesh",

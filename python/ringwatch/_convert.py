@@ -1,6 +1,8 @@
 """Meshes of other packages."""
 from __future__ import annotations
 
+import importlib
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -64,6 +66,40 @@ def mesh_from(source: Any) -> Mesh:
         if any(members[i].size for i in volumes):
             cell_sets[name] = [members[i] for i in volumes]
     return Mesh(np.ascontiguousarray(points, dtype=np.float64), blocks, node_sets=node_sets, cell_sets=cell_sets)
+
+
+def grid_of(mesh: Mesh, x: NDArray[np.float64] | None = None, **fields: NDArray[Any] | Sequence[NDArray[Any]]) -> Any:
+    """A mesh at positions x ((N, 3), m; at rest without them) as an unstructured grid, for pictures in 3-D.
+
+    fields: by name a number for each node, (N,), or (N, 3); or for each element, an array for each block, as
+    `Inspection.element_steps`. Returns PyVista's UnstructuredGrid, which `.plot(scalars="NAME")` draws, or without
+    PyVista VTK's. Raises InputError for a field of another size, ImportError without VTK (Debian: python3-vtk9).
+    """
+    data, support = (importlib.import_module(f"vtkmodules.{name}") for name in ("vtkCommonDataModel", "util.numpy_support"))
+    core = importlib.import_module("vtkmodules.vtkCommonCore")
+    grid, points = data.vtkUnstructuredGrid(), core.vtkPoints()
+    points.SetData(support.numpy_to_vtk(np.array(mesh.points if x is None else x, dtype=np.float64), deep=True))
+    if points.GetNumberOfPoints() != len(mesh.points):
+        raise InputError(f"grid_of: x: {points.GetNumberOfPoints()} positions; the mesh has {len(mesh.points)} nodes")
+    grid.SetPoints(points)
+    element = {name: (vtk, np.argsort(order)) for name, _, vtk, _, _, order in _elements()}
+    for name, nodes in mesh.blocks:
+        kind, order = element[name]
+        for cell in nodes[:, order].tolist():
+            grid.InsertNextCell(kind, len(cell), cell)
+    for name, values in fields.items():
+        of_nodes = isinstance(values, np.ndarray)
+        numbers = values if isinstance(values, np.ndarray) else np.concatenate(list(values))
+        wanted = len(mesh.points) if of_nodes else mesh.element_count
+        if len(numbers) != wanted:
+            raise InputError(f"grid_of: {name}: {len(numbers)} values; {wanted} {'nodes' if of_nodes else 'elements'} need one each")
+        array = support.numpy_to_vtk(np.ascontiguousarray(numbers), deep=True)
+        array.SetName(name)
+        (grid.GetPointData() if of_nodes else grid.GetCellData()).AddArray(array)
+    try:
+        return importlib.import_module("pyvista").wrap(grid)
+    except ImportError:
+        return grid
 
 
 def _groups(source: Any, blocks: list[tuple[str, NDArray[Any]]]) -> dict[str, list[NDArray[np.int64]]]:

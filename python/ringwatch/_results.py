@@ -1,6 +1,11 @@
 """What the functions return. The extension fills the fields by their order here."""
 from __future__ import annotations
 
+import ast
+import contextlib
+import inspect
+import pathlib
+import sys
 from dataclasses import dataclass, fields
 from html import escape
 from typing import Any
@@ -19,6 +24,8 @@ _LONGEST = 80  # characters of a field; what is longer is told by its type and s
 def _brief(value: Any) -> str:
     if isinstance(value, np.ndarray):
         return f"array of shape {value.shape}"
+    if isinstance(value, Result):
+        return f"<{value}>"
     text = repr(value)
     return text if len(text) <= _LONGEST or not hasattr(value, "__len__") or isinstance(value, str) else f"{type(value).__name__} of {len(value)}"
 
@@ -48,6 +55,7 @@ class Element(Result):
     index: int
     """Its place in the block, from 0."""
     type: str
+    """tet4, hex8 and so on."""
     nodes: tuple[int, ...]
     """Its nodes, rows of the points."""
     id: int
@@ -72,12 +80,15 @@ class ElementCause(Result):
     least_determinant: float
     """det F, least over the quadrature points."""
     largest_stretch: float
+    """Largest principal stretch, over the quadrature points."""
     least_stretch: float
+    """Least principal stretch, over the quadrature points."""
     shape: str
     """round, small, needle, wedge, spindle, sliver, cap; other for what is no tetrahedron."""
     least_dihedral: float
     """Degrees."""
     largest_dihedral: float
+    """Degrees."""
     aspect: float
     """Longest over shortest edge."""
     badly_shaped: bool
@@ -92,12 +103,15 @@ class CriticalStep(Result):
     """The bracket safe <= critical step <= optimistic, s, proven for the tangent at one state."""
 
     safe: float
+    """s, proven stable up to here."""
     optimistic: float
+    """s, proven unstable above."""
     controlling: tuple[int, int]
     """Block (or group) and index of the element that holds most of the top mode, as far as it is known."""
     safe_by: str
     """How the side was obtained."""
     optimistic_by: str
+    """How the side was obtained."""
     lowest_eigenvalue: float | None
     """rad²/s², negative: it proves the tangent indefinite, which no step cures. None where none was found."""
 
@@ -151,6 +165,7 @@ class Metric(Result):
     """The steps of all elements by a metric."""
 
     name: str
+    """One of `metric_names()`."""
     side: str
     """Where `step` lies of the critical step: "safe" or "optimistic" where that is proven, else "estimate"."""
     step: float
@@ -178,6 +193,7 @@ class Inspection(Result):
     safe_by: str
     """How the side was obtained."""
     optimistic_by: str
+    """How the side was obtained."""
     lowest_eigenvalue: float | None
     """rad²/s², negative: it proves the tangent indefinite, which no step cures. None where none was found."""
     limit: float
@@ -217,6 +233,7 @@ class MonitorEvent(Result):
     kind: str
     """violated, energy-balance, inverted, non-finite or indefinite."""
     step: int
+    """Where it begins."""
     time: float
     """s"""
     value: float
@@ -239,6 +256,7 @@ class MonitorReport(Result):
     """What a monitor knows of a state."""
 
     step: int
+    """The number of the step, as it was handed over."""
     time: float
     """s"""
     h: float | None
@@ -307,12 +325,15 @@ class Check(Result):
     name: str
     """What was measured, with its unit where it has one."""
     measured: float
+    """In the unit that `name` tells."""
     expected: float
+    """In the same unit."""
     tolerance: float
     """How far measured may be from expected: on both sides, above or below."""
     sense: str
     """near, at-most or at-least."""
     passed: bool
+    """Whether measured is as far from expected as it may be."""
 
     def __str__(self) -> str:
         return (f"{'passed' if self.passed else 'FAILED'} {self.name}: measured {self.measured:.9g}, "
@@ -328,6 +349,7 @@ class Verification(Result):
     passed: bool
     """Whether all checks did."""
     checks: tuple[Check, ...]
+    """All that were made."""
     tables: dict[str, tuple[dict[str, Any], ...]]
     """What was measured: limits, damped_limits, orders, periods, drift, observed, stiff; each a tuple of rows, a dict by
     column. A table that says nothing of this integrator is left out."""
@@ -335,3 +357,18 @@ class Verification(Result):
     def __str__(self) -> str:
         failed = [str(check) for check in self.checks if not check.passed]
         return "\n".join([f"{self.name}: {len(self.checks)} checks, {len(failed)} failed", *failed])
+
+
+def document_fields(module: str) -> None:
+    """Hands `help` the texts below the fields of a module's classes, which Python does not keep."""
+    with contextlib.suppress(OSError):  # where there is no source
+        for node in ast.parse(pathlib.Path(str(sys.modules[module].__file__)).read_text(encoding="utf-8")).body:
+            if isinstance(node, ast.ClassDef):
+                texts = {field.target.id: inspect.cleandoc(text.value.value) for field, text in zip(node.body, node.body[1:])
+                         if isinstance(field, ast.AnnAssign) and isinstance(field.target, ast.Name)
+                         and isinstance(text, ast.Expr) and isinstance(text.value, ast.Constant)}
+                made = getattr(sys.modules[module], node.name)
+                made.__slots__ = {name: texts.get(name) for name in made.__slots__}
+
+
+document_fields(__name__)

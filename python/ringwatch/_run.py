@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from . import _plot
 from ._errors import InputError, NumericalError
 from ._locations import PROGRAM
-from ._results import Result
+from ._results import Result, document_fields
 from ._ringwatch import _used_units
 
 _FAILED, _BAD_INPUT = 1, 2  # exit statuses, docs/reference/exit_status.md
@@ -35,6 +35,7 @@ class RunResult(Result):
     exit_status: int
     """0 done and stable, 1 instability found, 3 never certified, 4 interrupted."""
     stable: bool
+    """Whether no instability was seen."""
     verdict: str
     """certified, not-certified, violated, unstable or unmonitored."""
     folder: pathlib.Path
@@ -69,6 +70,7 @@ class Comparison(Result):
     """Error against cost of integrators on the motion of a scene: see `compare`."""
 
     title: str
+    """Of the scene."""
     end: float
     """s, where the positions are compared."""
     reference_error: float
@@ -108,6 +110,9 @@ class Audit(Result):
         """The audit in a line: its conclusion, and the first states in which something happened."""
         told = [f"first {what} in state {first['state']}" for what, first in self.found["first"].items() if first]
         return "; ".join([f"{self.found['results']}: {self.found['conclusion']}", *told])
+
+
+document_fields(__name__)
 
 
 def run(

@@ -433,6 +433,16 @@ TEST_F(Audits, CountElementsThatDamp) {
   EXPECT_EQ(call(arguments + " --report page.html").status, 0);
 }
 
+// The page calls an element as the table of the command does: by its number in the file.
+TEST_F(Audits, PageNamesElementsByTheirNumbers) {
+  writeFrd({{0.01, 1, turned}, {0.1, 100, turned}});
+  call("audit bar.frd --report page.html" + std::string(test::material));
+  EXPECT_THAT(folder_.read("page.html"),
+              HasSubstr("Who controls the critical step (numbers of the mesh file)</caption>"));
+  EXPECT_THAT(folder_.read("page.html"),
+              HasSubstr("<th scope=\"row\" class=\"number\">7</th><td class=\"number\">100.0 %</td>"));
+}
+
 // Of a run of our own: the brackets of its frames are those that inspect tells.
 TEST_F(Audits, AgreeWithInspectAboutFrames) {
   folder_.write("scene.toml", test::tiny);
@@ -492,7 +502,7 @@ TEST_F(Audits, RefuseElementsOfNodesThatAreNotThere) {
 TEST_F(Audits, RefuseBadInput) {
   writeVtk("a0.vtk", 0, 0, [](const Eigen::Vector3d& X) { return X; });
   const std::string material = test::material;
-  expectRefused("audit a0.vtk", "--young is required, or --scene with the materials");
+  expectRefused("audit a0.vtk", "--young, --poisson and --density are required, or --scene with the materials");
   expectRefused("audit nowhere.frd" + material, "nowhere.frd: cannot read: there is no such file");
   expectRefused("audit a0.vtk --displacement V" + material,
                 "no field \"V\"; fields of three components at the points: \"U\"");

@@ -25,6 +25,7 @@ using test::Json;
 using test::Outcome;
 using test::tiny;
 using ::testing::AllOf;
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
@@ -215,6 +216,8 @@ TEST_F(Report, SaysWhichElementWhenAndWhatToDo) {
             !(diagnosis["largest_stretch"] > 1.05 || diagnosis["least_stretch"] < 1 / 1.05));
   EXPECT_EQ(diagnosis["determinant"] <= 0, diagnosis["strain"] == "inverted");
   EXPECT_THAT(sentence, HasSubstr("stopped before"));
+  // The command ends with what happened first, and leaves what followed to the page.
+  EXPECT_THAT(call("report r").out, EndsWith("The run was stopped before it took that step.\n"));
   const Json report = reportIn(page());
   for (const char* key : {"block", "index", "id"})
     EXPECT_EQ(report["controlling"][0][key], (*violated)["element"][key]);

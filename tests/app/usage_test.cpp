@@ -26,10 +26,12 @@ TEST_F(Program, RefusesBadUsageInOneLine) {
   expectRefused("inspect a.msh --young 1 --poisson 0.3", "a.msh: cannot read: there is no such file");
   ASSERT_EQ(call("mesh generate cube --cells 1 -o a.msh").status, 0);
   expectRefused("inspect a.msh --young 1 --poisson 0.3", "--density is required");
-  expectRefused("inspect a.msh --young 1 --poisson 0.3 --density 1 --gloabl", "did you mean \"--global\"?");
+  expectRefused("inspect a.msh", "--young, --poisson and --density are required with a mesh file");
+  expectRefused("inspect a.msh --young 1 --poisson 0.3 --density 1 --gloabl",
+                "did you mean \"--global\"?; see ringwatch inspect --help");
   expectRefused("mesh", "");
   expectRefused("mesh generate bra -o a.msh", "did you mean \"bar\"?");
-  expectRefused("mesh generate bar", "--output");
+  expectRefused("mesh generate bar", "--output is required; see ringwatch mesh generate --help");
   expectRefused("mesh generate bar --cells 2 0 2 -o a.msh", "--cells: [2,0,2] does not fit");
   expectRefused("mesh generate bar --cells two -o a.msh", "--cells: \"two\" does not fit");
   expectRefused("mesh generate bar -o a.xyz", "xyz");

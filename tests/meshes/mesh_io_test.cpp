@@ -465,11 +465,14 @@ TEST(MeshIo, FormatsThatAreNotReadAreNamed) {
       const std::string refused = errorOf([&] { readMesh(folder / file); });
       EXPECT_NE(refused.find(std::string("this is ") + name), std::string::npos) << refused;
     }
-  // What HDF5 holds is told by the name.
-  for (const auto& known : {std::pair{"m.cgns", "a CGNS file"}, {"m.h5m", "a mesh of MOAB"}}) {
-    writeBytes(folder / known.first, "\x89HDF\r\n\x1a\n");
-    EXPECT_NE(errorOf([&] { readMesh(folder / known.first); }).find(std::string("this is ") + known.second),
-              std::string::npos);
+  // What HDF5 and a geometry of gmsh hold is told by the name.
+  for (const auto& [name, text, said] : {std::tuple{"m.cgns", "\x89HDF\r\n\x1a\n", "a CGNS file"},
+                                         {"m.h5m", "\x89HDF\r\n\x1a\n", "a mesh of MOAB"},
+                                         {"m.geo", "a = 2;\nBox(1) = {0, 0, 0, a, 1, 1};\n",
+                                          "a geometry of gmsh, which is not read; gmsh makes a mesh of it"}}) {
+    writeBytes(folder / name, text);
+    const std::string refused = errorOf([&, file = folder / name] { readMesh(file); });
+    EXPECT_NE(refused.find(std::string("this is ") + said), std::string::npos) << refused;
   }
   writeBytes(folder / "flat.vtk",
              "# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 3 float\n0 0 0\n1 0 0\n0 1 "

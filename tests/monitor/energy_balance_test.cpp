@@ -54,6 +54,19 @@ std::vector<std::string> lawNames() {
 INSTANTIATE_TEST_SUITE_P(Laws, EnergyBalanceTest, ::testing::ValuesIn(lawNames()),
                          [](const auto& test) { return test::testName(test.param); });
 
+// Strains of 1e-14 to 1e-13 have less than a hundredth of the energy of one of 1e-12; what is computed is the law's
+// rounding.
+TEST_P(EnergyBalanceTest, RoundingIsNoMeasure) {
+  for (const test::Subdivision& subdivision : test::allSubdivisions()) {
+    const Body body = makeBody(subdivision);
+    for (int k = 1; k <= 10; ++k) {
+      const NodeVectors x = (1 + 1e-14 * k) * body.mesh().X;
+      const double strain = EnergyBalance(body).evaluate(x, NodeVectors::Zero(3, x.cols())).strain;
+      EXPECT_LE(std::abs(strain), 0.1 * roundingEnergy(body)) << subdivision.name << " " << k;
+    }
+  }
+}
+
 TEST_P(EnergyBalanceTest, OfABodyInFreeFlightErrsAtSecondOrder) {
   for (const test::Subdivision& subdivision : test::allSubdivisions()) {
     const Body body = makeBody(subdivision);

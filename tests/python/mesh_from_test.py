@@ -107,6 +107,36 @@ def test_a_grid_of_vtk_is_its_file(tmp_path: pathlib.Path, element: str) -> None
     same(rw.mesh_from(grid_of(tmp_path / "bar.vtu")), rw.load_mesh(tmp_path / "bar.vtu"))
 
 
+@pytest.mark.parametrize("element", ELEMENTS)
+def test_a_grid_for_pictures_is_that_of_the_file(tmp_path: pathlib.Path, element: str) -> None:
+    """Points and cells are what VTK reads of the mesh's file, fields lie where they belong, and PyVista draws them where it is there."""
+    mesh = bar(element=element, jitter=0, cells=[3, 2, 1])
+    mesh.save(tmp_path / "bar.vtu")
+    steps = rw.inspect(body_of(mesh)).element_steps
+    grid, file = rw.grid_of(mesh, step=steps, place=mesh.points), grid_of(tmp_path / "bar.vtu")
+    for array in ("GetOffsetsArray", "GetConnectivityArray"):
+        assert np.array_equal(np.array(getattr(grid.GetCells(), array)()), np.array(getattr(file.GetCells(), array)()))
+    assert np.array_equal(np.array(grid.GetCellTypesArray()), np.array(file.GetCellTypesArray()))
+    assert np.array_equal(np.array(grid.GetPoints().GetData()).reshape(-1, 3), mesh.points)
+    assert np.array_equal(np.array(grid.GetCellData().GetArray("step")).ravel(), np.concatenate(steps))
+    assert np.array_equal(np.array(grid.GetPointData().GetArray("place")).reshape(-1, 3), mesh.points)
+    moved = rw.grid_of(mesh, 2 * mesh.points)
+    assert np.array_equal(np.array(moved.GetPoints().GetData()).reshape(-1, 3), 2 * mesh.points)
+    with pytest.raises(rw.InputError, match="grid_of: x: 1 positions"):
+        rw.grid_of(mesh, mesh.points[:1])
+    with pytest.raises(rw.InputError, match="grid_of: step: .* elements need one each"):
+        rw.grid_of(mesh, step=[steps[0][:-1]])
+
+
+def test_pyvista_draws_a_grid() -> None:
+    pyvista = pytest.importorskip("pyvista")
+    mesh = bar()
+    grid: Any = rw.grid_of(mesh, step=rw.inspect(body_of(mesh)).element_steps)
+    assert isinstance(grid, pyvista.UnstructuredGrid)
+    picture = grid.plot(scalars="step", off_screen=True, return_img=True)
+    assert picture.std() > 0
+
+
 def test_a_grid_of_several_kinds_and_single_precision() -> None:
     """Triangles are left out, cells keep their numbers, and points of other types are widened."""
     model = pytest.importorskip("vtkmodules.vtkCommonDataModel")

@@ -65,5 +65,5 @@ def test_the_audit_is_that_of_the_command_line(results: pathlib.Path) -> None:
     found = rw.audit(["out/run.pvd"], scene="bar.toml", step=1e-3, every=5)
     assert found.exit_status == 0 and 0 < found.largest_share < 1 and len(found.found["history"]) == 3
     assert found.largest_share == pytest.approx(1e-3 / found.found["steps"]["proven_in_all"])
-    with pytest.raises(rw.InputError, match="--young is required"):
+    with pytest.raises(rw.InputError, match="--young, --poisson and --density are required"):
         rw.audit("out/run.pvd")

@@ -157,7 +157,7 @@ def test_what_is_shown_is_a_few_words() -> None:
               monitor, report, report.bracket, *report.new_events, tangents, tangents.evaluate(body.element_tangents(body.points))]
     for thing in things:
         for text in (str(thing), repr(thing)):
-            assert text.count("\n") <= 1 and len(text) <= 800 and " at 0x" not in text and "array([" not in text, text
+            assert text.count("\n") <= 1 and len(text) <= 600 and " at 0x" not in text and "array([" not in text, text
     assert f"{step.safe:.6g}" in str(step) and str(step.controlling) in str(step)
     assert f"{mesh.points.shape[0]} nodes" in repr(mesh) and "tet4" in repr(mesh)
     assert report.bracket is not None
@@ -175,3 +175,16 @@ def test_everything_public_is_documented(name: str) -> None:
         for member, value in vars(thing).items():
             if not member.startswith("_") and member not in ("node_count", "element_count", "model"):
                 assert value.__doc__, f"{name}.{member}"
+
+
+@pytest.mark.parametrize("name", [name for name in rw.__all__ if dataclasses.is_dataclass(getattr(rw, name))])
+def test_help_tells_what_every_field_is(name: str) -> None:
+    """The text that stands below the field in the source, which the next quotes of the file begin."""
+    thing = getattr(rw, name)
+    source = inspect.getsource(thing)
+    shown = " ".join(pydoc.render_doc(thing, renderer=pydoc.plaintext).replace("|", " ").split())  # type: ignore[attr-defined]
+    for field in dataclasses.fields(thing):
+        _, _, below = source.partition(f"\n    {field.name}: ")
+        text = below.split('"""')[1]
+        assert below.index('"""') == below.index("\n") + 5, field.name
+        assert " ".join(text.split()) in shown, field.name

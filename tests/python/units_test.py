@@ -27,6 +27,13 @@ def told() -> list[str]:
     return [str(step), str(report), str(report.bracket), str(report.new_events[0]), str(suggested)]
 
 
+def test_bodies_and_materials_name_them() -> None:
+    material, body = rw.Material("stvk", young=210e3, poisson=0.3, density=7.85e-9), body_of(bar())
+    assert repr(body).endswith(" kg>") and repr(material).endswith(" m/s>")
+    rw.use_units("mm-t-s")
+    assert repr(body).endswith(" t>") and repr(material).endswith(" mm/s>") and " t/mm3," in repr(material)
+
+
 def refusal() -> str:
     with pytest.raises(rw.InputError) as fault:
         rw.Material("stvk", young=-1.0, poisson=0.3, density=1000.0)
