@@ -1,6 +1,7 @@
 """Bodies of one and two elements, and steps above 2^31, through the module: brackets hold the step of a stiffness that is built here."""
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
 import ringwatch as rw
 
@@ -10,7 +11,7 @@ YOUNG, POISSON, DENSITY = 3e4, 0.3, 1e3
 LARGE = 2**31 + 3
 
 
-def critical_step(points: np.ndarray, cells: np.ndarray) -> float:
+def critical_step(points: NDArray[np.float64], cells: NDArray[np.int64]) -> float:
     """Of Hooke's law at one point of each tetrahedron, with a quarter of its mass at each node, s."""
     shear, first = YOUNG / (2 * (1 + POISSON)), YOUNG * POISSON / ((1 + POISSON) * (1 - 2 * POISSON))
     stiffness, mass = np.zeros((3 * len(points), 3 * len(points))), np.zeros(3 * len(points))
