@@ -496,7 +496,7 @@ void reportMetrics(const std::vector<MetricResult>& metrics, const Subject& subj
     text += fmt::format(
         "  estimates by waves have the density of the material, a factor for mass scaling included; {} {} not in "
         "them\n",
-        fmt::join(missing, " and "), missing.size() > 1 || !subject.scene.pointMasses.empty() ? "are" : "is");
+        listed(missing), missing.size() > 1 || !subject.scene.pointMasses.empty() ? "are" : "is");
 }
 
 void checkOptions(const InspectOptions& options) {

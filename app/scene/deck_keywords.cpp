@@ -360,7 +360,7 @@ void forEachName(const DeckKeywordRule& row, const Each& each) {
 }
 
 /// "*A *B …" in lines of no more than a page's width.
-std::string listed(const DeckKeywordRule& row) {
+std::string linesOfNames(const DeckKeywordRule& row) {
   constexpr std::size_t width = 100;
   std::string text, line = " ";
   forEachName(row, [&](std::string_view name) {
@@ -403,7 +403,8 @@ std::string keywordListing(std::span<const DeckKeywordRule> rules) {
                                    {"likewise", DeckRule::load},
                                    {"refused", DeckRule::refused}})
     for (const DeckKeywordRule& row : rules)
-      if (row.rule == rule) text += fmt::format("{}{}{}:\n{}", head, row.why.empty() ? "" : ": ", row.why, listed(row));
+      if (row.rule == rule)
+        text += fmt::format("{}{}{}:\n{}", head, row.why.empty() ? "" : ": ", row.why, linesOfNames(row));
   return text;
 }
 

@@ -1379,7 +1379,7 @@ class DeckReader : DeckWriter {
     std::vector<std::string_view> names;
     for (const DeckLinkType& type : linkTypes)
       if (type.keyword == keyword) names.push_back(type.type);
-    return fmt::format("{}", fmt::join(names, " and "));
+    return listed(names);
   }
   void writeLink(const DeckLink& link, const DeckProperty& property) {
     const bool toGround = link.type->nodes == 1 && property.keyword != "MASS";
