@@ -276,6 +276,28 @@ struct Matrices {
 /// there is no bracket beyond.
 constexpr double largestTangent = 1e17;  // N/m
 
+/// Whether an element is flattened to a line, to the rounding of the law's rotation: the two least singular values of
+/// its deformation gradient, the last signed as the determinant, sum to almost nothing. A corotational law then has no
+/// rotation that is known.
+bool isFlattenedToALine(const Body& body, const NodeVectors& x) {
+  constexpr double leastWidth = 1e-5;  // of the largest singular value
+  for (const auto& block : body.blocks())
+    for (std::int32_t e = 0; e < block->elementCount(); ++e) {
+      std::vector<std::int32_t> pack(lanes, -1);
+      pack[0] = e;
+      std::vector<double> F(9 * lanes * block->rule().points.size());
+      TangentDrift drift[lanes];
+      block->deformationOf(pack.data(), x.data(), F.data(), drift);
+      for (std::size_t q = 0; q < block->rule().points.size(); ++q) {
+        Matrix3d own;
+        for (int i = 0; i < 9; ++i) own(i / 3, i % 3) = F[(9 * q + i) * lanes];
+        const Vector3d s = own.jacobiSvd().singularValues();
+        if (s[1] + (own.determinant() < 0 ? -s[2] : s[2]) < leastWidth * s[0]) return true;
+      }
+    }
+  return false;
+}
+
 /// What dense eigenvalues say of M - h/2 C - h²/4 K on the free components, C with Rayleigh's.
 struct Exact {
   double step = 0;  ///< the largest h with it ≽ 0; 0 where there is none or a matrix is not finite
@@ -623,9 +645,9 @@ class WatchedRun {
       if (!same) return fail(where + ": the monitor that was loaded says something else than the one that was saved");
     }
     if (!report.fresh) return true;
-    // A law may have no tangent, or none that is known in double precision, where an element is inverted.
+    // A law may have no tangent, or none that is known in double precision, where an element is inverted or a line.
     const bool unknown = report.verdict == Verdict::violated && !report.bracket;
-    if (unknown && trial_.body.leastDeterminant(state_.x).value <= 0) {
+    if (unknown && (trial_.body.leastDeterminant(state_.x).value <= 0 || isFlattenedToALine(trial_.body, state_.x))) {
       ++tally_.skipped;
       return false;
     }
