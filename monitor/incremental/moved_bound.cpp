@@ -583,9 +583,8 @@ UpperBound MovedBound::update(NodeVectorsView x, StepEvaluation* evaluation, dou
   return {bound_};
 }
 
-ElementRef MovedBound::highest() const {
-  const auto node = static_cast<std::int32_t>(std::max_element(whole_.begin(), whole_.end()) - whole_.begin());
-  return weights_.elementsAt({&node, 1}).front();
+std::int32_t MovedBound::highestNode() const {
+  return static_cast<std::int32_t>(std::max_element(whole_.begin(), whole_.end()) - whole_.begin());
 }
 
 void MovedBound::findBound() { bound_ = (1 + motionRounding) * largestOf(whole_); }

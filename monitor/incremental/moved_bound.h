@@ -70,8 +70,8 @@ class MovedBound {
   /// Elements that the last update() and what followed it evaluated or moved, with det F and -lambda_min(∂P/∂F) at
   /// most: an element that inverts is among them.
   const std::vector<ExchangeCertificate::Seen>& seen() const { return seen_; }
-  /// An element at the node where the bound is highest.
-  ElementRef highest() const;
+  /// The node where the bound is highest.
+  std::int32_t highestNode() const;
 
   /// The largest relative excess of the proof's statements at x, from nothing but anchors, motions, weights and exact
   /// tangents: <= 0 when all hold, but for rounding. For tests.

@@ -886,6 +886,4 @@ Eigen::Matrix3d RestBound::majorantAt(std::int32_t node) const {
   return sum;
 }
 
-ElementRef RestBound::highest() const { return weights_->elementsAt(std::span<const std::int32_t>(&node_, 1)).front(); }
-
 }  // namespace ringwatch

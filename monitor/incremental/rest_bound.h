@@ -60,8 +60,8 @@ class RestBound {
     std::int64_t elements = 0, nodes = 0;
   };
   const Statistics& statistics() const { return statistics_; }
-  /// An element at the node where the last bound is highest.
-  ElementRef highest() const;
+  /// The node where the last bound is highest.
+  std::int32_t highestNode() const { return node_; }
 
   /// The majorant of a node at the positions of the last update() over its mass, rad²/s², in its free components: the
   /// tangent of the body over the roots of the masses is at most the matrix that has these blocks. Slow, for tests.

@@ -122,8 +122,7 @@ const std::optional<CriticalStep>& RunBracket::follow(NodeVectorsView x, const S
     }
     lower = boundWhereItRose(x, sigma, lower);
     if (moves) {
-      const ElementRef highest = turns ? rest_->highest() : moved_->highest();
-      if (affords(WorkAccount::ofRing(*body_.blocks()[highest.block])) && examineRing(x, highest, lower))
+      if (examineRingAt(x, turns ? rest_->highestNode() : moved_->highestNode(), lower))
         local_.choose(mode_, localNodes_);
     }
     forVerdict_ = uncertified_;
@@ -520,14 +519,16 @@ LowerBound RunBracket::boundWhereItTouches(NodeVectorsView x, LowerBound lower) 
   }
   discreteAlone_.clear();
   for (const auto& [i, value] : alone) discreteAlone_.push_back({value, i});
-  if (node < 0) return lower;
   // One ring is enough: the others at the node have the same contact.
-  const std::vector<ElementRef> elements = nodal_.weights().elementsAt(std::span<const std::int32_t>(&node, 1));
-  if (elements.empty() || !affords(WorkAccount::ofRing(*body_.blocks()[elements.front().block])) ||
-      !examineRing(x, elements.front(), lower))
-    return lower;
+  if (node < 0 || !examineRingAt(x, node, lower)) return lower;
   local_.choose(mode_, localNodes_);
   return higher(lower, boundOfRegion(x));
+}
+
+bool RunBracket::examineRingAt(NodeVectorsView x, std::int32_t node, LowerBound& lower) {
+  const std::vector<ElementRef> elements = nodal_.weights().elementsAt(std::span<const std::int32_t>(&node, 1));
+  return !elements.empty() && affords(WorkAccount::ofRing(*body_.blocks()[elements.front().block])) &&
+         examineRing(x, elements.front(), lower);
 }
 
 bool RunBracket::examineRing(NodeVectorsView x, ElementRef e, LowerBound& lower) {

@@ -196,6 +196,8 @@ class RunBracket {
   /// Examines the reduced ring of an element: whether its bound is above what is known, `lower`, which it then becomes.
   /// The tracked mode then has its top.
   bool examineRing(NodeVectorsView x, ElementRef e, LowerBound& lower);
+  /// The same for an element at a node, where there is work for it. False at a node that has no element left.
+  bool examineRingAt(NodeVectorsView x, std::int32_t node, LowerBound& lower);
   /// The reduced ring of one element into solver_; false when it fails.
   bool decomposeRing(NodeVectorsView x, ElementRef e, WorkOn what = WorkOn::mode);
   /// The step of a bound and of the region's, of which it is known what dashpots give: the smaller one.

@@ -2,10 +2,13 @@
 // by dense eigenvalues, and a saved state goes on bit by bit.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include <Eigen/Geometry>
 
 #include <ringwatch/base/archive.h>
 #include <ringwatch/monitor/incremental/run_bracket.h>
+#include <tests/monitor/discrete_cases.h>
 #include <tests/monitor/monitor_cases.h>
 
 namespace ringwatch {
@@ -53,6 +56,26 @@ TEST(StepThatFollows, IsProvenByTheMovedBoundWhereThatSavesSteps) {
     EXPECT_GT(followed.byMoved, 0) << subdivision.name;
     EXPECT_EQ(without.byMoved, 0) << subdivision.name;
     EXPECT_LT(followed.steps, without.steps) << subdivision.name;
+  }
+}
+
+// A node whose elements have eroded, with a spring that sets the step: no ring is left to look at there.
+TEST(StepThatFollows, IsProvenWhereANodeWithoutElementsSetsIt) {
+  constexpr std::int32_t node = 0;
+  for (const test::Subdivision& subdivision : test::allSubdivisions()) {
+    const Body whole = test::boxBody(subdivision, "neo-hookean");
+    std::vector<std::vector<bool>> stays;
+    for (const auto& block : whole.blocks())
+      for (std::int32_t e = (stays.emplace_back(), 0); e < block->elementCount(); ++e) {
+        const auto nodes = block->nodesOf(e);
+        stays.back().push_back(std::find(nodes.begin(), nodes.end(), node) == nodes.end());
+      }
+    Body body(whole, stays);
+    DiscreteForces forces(body.nodeCount());
+    forces.add(std::vector<Spring>{{.node = node, .stiffness = 1e3 * test::cellStiffness}});
+    body.setDiscreteForces(std::move(forces));
+    const NodeVectors shake = test::Random(5).nodeVectors(body.nodeCount(), 0.12 * test::cellSize);
+    EXPECT_GT(follow(body, shake, budget).byMoved, 0) << subdivision.name;
   }
 }
 
