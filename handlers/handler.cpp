@@ -198,20 +198,6 @@ bool Handler::beginsWithAcceleration() const {
   return stepsAsBase() ? base_->beginsWithAcceleration() : handledBeginsWithAcceleration();
 }
 
-void Handler::requireCorotationalTetrahedra(const std::vector<ElementRef>& elements) const {
-  for (const ElementRef e : elements) {
-    const ElementBlock& block = *body_.blocks()[e.block];
-    const std::string_view name = handlerInfo().name;
-    if (body_.mesh().blocks[e.block].type != elementTypeOf<Tet4>)
-      throw InputError(joinText(name, " handles tet4, and element ", e.block, ":", e.element, " is a ",
-                                block.element().name, "; take imex"));
-    if (const LawInfo law = block.material().info(); !law.objective)
-      throw InputError(joinText(name, " turns with its elements, and the law \"", law.name, "\" does not; take imex"));
-    else if (!law.isotropic)
-      throw InputError(joinText(name, " handles isotropic laws, and \"", law.name, "\" is none; take imex"));
-  }
-}
-
 StepStatus Handler::baseStep(SecondOrderSystem& system, State& state, double h, const std::string& fault) {
   before_ = state;
   for (HandledWork& work : works_) work.mark();

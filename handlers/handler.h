@@ -170,8 +170,6 @@ class Handler : public Integrator {
   /// The state before the last baseStep(), which is as if it had not been.
   void takeBack(State& state);
   std::span<const std::int32_t> nodesOf(ElementRef e) const { return body_.blocks()[e.block]->nodesOf(e.element); }
-  /// Throws InputError unless all are tet4 of a law that turns with its element.
-  void requireCorotationalTetrahedra(const std::vector<ElementRef>& elements) const;
   /// Which elements, those of `keep` among them: those that a limit of allowedLambda(h) asks for.
   virtual ElementFlags choose(const NodeVectors& x, double h, const ElementFlags& keep) {
     return chooseFor(x, allowedLambda(h), keep);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include <ringwatch/base/error.h>
 
 namespace ringwatch {
 
@@ -13,7 +12,6 @@ FePbd::FePbd(Body& body, std::unique_ptr<Integrator> base, HandlerOptions option
 
 void FePbd::takeRelaxed(double h, const ElementFlags& chosen) {
   const auto elements = chosenElements(chosen);
-  requireCorotationalTetrahedra(elements);
   relaxed_ = std::make_unique<RelaxedTetrahedra>(body_, elements, h, goal_, passes_);
 }
 

@@ -15,7 +15,6 @@ ModalFilter::ModalFilter(Body& body, std::unique_ptr<Integrator> base, HandlerOp
 
 void ModalFilter::takeRelaxed(double h, const ElementFlags& chosen) {
   const auto elements = chosenElements(chosen);
-  requireCorotationalTetrahedra(elements);
   const double lambda = allowedLambda(h);
   Eigen::VectorXd share = Eigen::VectorXd::Zero(body_.nodeCount());  // certified: of each handled element, N/m
   if (certificate()) {

@@ -2,7 +2,29 @@
 
 #include <utility>
 
+#include <ringwatch/base/error.h>
+#include <ringwatch/elements/registry.h>
+
 namespace ringwatch {
+namespace {
+
+/// Throws InputError unless all elements of the body are tet4 of isotropic laws that turn with them: any of them may
+/// become too stiff for the step along a run.
+void requireCorotationalTetrahedra(std::string_view handler, const Body& body) {
+  for (std::size_t b = 0; b < body.blocks().size(); ++b) {
+    const ElementBlock& block = *body.blocks()[b];
+    if (block.elementCount() == 0) continue;
+    if (body.mesh().blocks[b].type != elementTypeOf<Tet4>)
+      throw InputError(joinText(handler, " handles tet4, and the mesh has ", block.element().name, "; take imex"));
+    if (const LawInfo law = block.material().info(); !law.objective)
+      throw InputError(
+          joinText(handler, " turns with its elements, and the law \"", law.name, "\" does not; take imex"));
+    else if (!law.isotropic)
+      throw InputError(joinText(handler, " handles isotropic laws, and \"", law.name, "\" is none; take imex"));
+  }
+}
+
+}  // namespace
 
 class RelaxingHandler::Relaxed final : public SecondOrderSystem {
  public:
@@ -28,6 +50,7 @@ class RelaxingHandler::Relaxed final : public SecondOrderSystem {
 RelaxingHandler::RelaxingHandler(const HandlerInfo& info, Body& body, std::unique_ptr<Integrator> base,
                                  HandlerOptions options, std::string_view limited)
     : EnergyLimitedHandler(info, body, std::move(base), std::move(options)) {
+  requireCorotationalTetrahedra(info.name, body);
   if (options_.own.text("variant") == limited) limitEnergy(options_.own.number("energy_limit"));
 }
 
