@@ -29,7 +29,8 @@ SECONDS = 300
 UNFITTED = 0.1
 ELASTIC = ["stvk", "neo-hookean", "corotational", "linear", "stable-neo-hookean"]
 RUBBERS = {"mooney-rivlin": {"c10": 1e5, "c01": 2e4, "bulk": 2e6}, "yeoh": {"c10": 1e5, "c20": -1e3, "c30": 1e3, "bulk": 2e6}}
-HANDLERS = ["local-time-stepping", "imex", "fe-pbd", "modal-filter", "mass-scaling"]
+TETRAHEDRAL = ["fe-pbd", "modal-filter"]  # which take nothing but tet4 of laws that turn with it
+HANDLERS = ["local-time-stepping", "imex", "mass-scaling", *TETRAHEDRAL]
 QUADRATIC = ["tet10", "hex20"]
 METHODS = [*5 * ["symplectic-euler", "verlet"], "rkn4", "pefrl", "yoshida4", "rk4"]
 # Of the program's table of what goes together, with how often each is drawn beside the pair of a scene.
@@ -74,9 +75,16 @@ class Drawn:
             not (name in ON_VIOLATION and self.features & set(ON_VIOLATION))
 
     def refused(self):
-        """What the table refuses of the scene, as pairs of names."""
-        return [(name, other) for name in self.features for other in [*self.table[name]["not_with"], *self.table[name]["not_by"]]
-                if other in self.features or other == self.method]
+        """What the program refuses of the scene, as pairs of names: by its table, and what a handler does not take."""
+        proven = all(monitor.get("mode") != "metric" for monitor in self.tables["monitor"])
+        untaken = [(handler["method"], word) for handler in self.tables["handler"] if handler["method"] in TETRAHEDRAL
+                   for word in self.untaken()]
+        return untaken + [(name, other) for name in self.features for other in [*self.table[name]["not_with"], *self.table[name]["not_by"]]
+                if (other in self.features or other == self.method) and (proven or name != "proofs with Rayleigh damping")]
+
+    def untaken(self):
+        """The scene's elements and laws that TETRAHEDRAL handlers do not take."""
+        return ({self.element} - {"tet4"}) | ({material["model"] for material in self.tables["material"]} & {"linear"})
 
     def words(self, name):
         """What a refusal may call a feature or an integrator."""
@@ -96,7 +104,7 @@ class Drawn:
 
     def mesh(self):
         element = self.one_of("tet4", "tet4", "hex8", "wedge6", "pyramid5", "tet10", "hex20")
-        element = "tet4" if self.has("cuts") else "hex8" if self.has("rules of uniform strain") else element
+        self.element = element = "tet4" if self.has("cuts") else "hex8" if self.has("rules of uniform strain") else element
         cells, jitter = self.one_of(1, 2) if element in QUADRATIC else self.one_of(2, 3), self.one_of(0.0, 0.2)
         kind = "stack" if self.has("surfaces in contact") else self.one_of("bar", "bar", "cube")
         if kind == "bar":
@@ -139,7 +147,9 @@ class Drawn:
                  every=self.one_of(2, 7) if self.chance(0.3) else None, budget=self.one_of(0.0, 0.1, 0.5) if self.has("budgets of the monitor") else None,
                  certificates=self.one_of(1, 5) if self.has("certificates along a run") else None)
         if handled:
-            self.add("handler", method=self.one_of(*(["imex", "mass-scaling"] if self.has("proofs with Rayleigh damping") else HANDLERS)))
+            unfit = TETRAHEDRAL if self.untaken() and not self.chance(UNFITTED) else []
+            handlers = ["imex", "mass-scaling"] if self.has("proofs with Rayleigh damping") else HANDLERS
+            self.add("handler", method=self.one_of(*(name for name in handlers if name not in unfit)))
         self.supports_and_loads(kind)
         self.contact(kind, step)
         self.add("output", every=1e-3, checkpoint_every=self.one_of(4e-4, 1e-3) if self.has("checkpoints") else None,
@@ -197,7 +207,7 @@ class Trial:
 
     def __init__(self, program, folder, seed, table):
         self.program, self.folder, self.seed = program, folder, seed
-        self.resumed = False
+        self.resumed = self.inert = False
         scene = Drawn(seed, table)
         self.features = scene.features
         self.refused = [(scene.words(name), scene.words(other)) for name, other in scene.refused()]
@@ -252,15 +262,15 @@ class Trial:
         if summary["exit_reason"] == "failed":
             found.append(f"an error ended the run: {summary['exit_text']}")
         self.acted = self.features & self.acting(summary, last)
-        if summary["exit_reason"] == "end":
-            found += [f"{name} did not act" for name in sorted(self.features - self.acted)]
+        self.inert = summary["exit_reason"] == "end" and not self.features <= self.acted
         return found
 
     def acting(self, summary, last):
         """The features that have left a trace in the results."""
         # A short run may have a row of its start alone.
         begins = last["step"] == "0"
-        damped, worked = float(last["dissipated_J"] or 0) > 0 or begins, float(last["external_work_J"] or 0) != 0 or begins
+        # What steps beyond the critical one dissipate may be negative.
+        damped, worked = float(last["dissipated_J"] or 0) != 0 or begins, float(last["external_work_J"] or 0) != 0 or begins
         forces, erosion, files = summary["discrete_forces"] or {}, summary["erosion"] or {}, summary["files"]
         touched = forces.get("most_touching") or begins
         traces = {"handlers": summary["handler"], "loads and motions that change in time": worked, "pressures": worked, "springs and contact": forces,
@@ -310,16 +320,20 @@ def main():
     schema = subprocess.run([options.program, "schema", "scene"], stdout=subprocess.PIPE, text=True, check=True).stdout
     table = json.loads(schema)["x-capabilities"]
     end = time.monotonic() + options.seconds
-    statuses, resumed, failed = collections.Counter(), 0, 0
+    statuses, resumed, inert, failed = collections.Counter(), 0, 0, 0
     acted = collections.Counter()
     for seed in range(options.seed, options.seed + options.scenes):
         if time.monotonic() > end:
             break
         with tempfile.TemporaryDirectory() as folder:
             trial = Trial(options.program, pathlib.Path(folder), seed, table)
-            faults, status = trial.faults()
+            try:
+                faults, status = trial.faults()
+            except subprocess.TimeoutExpired:
+                faults, status = [f"a run took more than {SECONDS} s"], None
             statuses[status] += 1
             resumed += trial.resumed
+            inert += trial.inert
             acted.update(trial.acted)
             acted.update(" and ".join(pair) for pair in PAIRS if set(pair) <= trial.acted)
             for fault in faults:
@@ -329,11 +343,11 @@ def main():
                 if options.keep:
                     shutil.copytree(folder, options.keep / str(seed), dirs_exist_ok=True)
     scenes = statuses.total()
-    print(f"{scenes} scenes: " + ", ".join(f"{count} with exit status {status}" for status, count in sorted(statuses.items())) +
-          f"; {resumed} resumed; {failed} failed; acted: " + ", ".join(f"{name} {acted[name]}" for name in FEATURES))
+    print(f"{scenes} scenes: " + ", ".join(f"{count} with exit status {status}" for status, count in sorted(statuses.items(), key=str)) +
+          f"; {resumed} resumed; {inert} in which something drawn did not act; {failed} failed; acted: " + ", ".join(f"{name} {acted[name]}" for name in FEATURES))
     missing = [name for name in FEATURES if not acted[name]] if scenes >= len(PAIRS) else []
-    # Scenes that are all refused would show nothing.
-    if failed or missing or statuses[0] < scenes / 4:
+    # Scenes that are all refused, or in which what was drawn does nothing, would show nothing.
+    if failed or missing or statuses[0] < scenes / 4 or inert > scenes / 100:
         sys.exit(1)
 
 
