@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-
 namespace ringwatch {
 
 FePbd::FePbd(Body& body, std::unique_ptr<Integrator> base, HandlerOptions options)
