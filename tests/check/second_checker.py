@@ -507,8 +507,8 @@ def prove(certificate):
                         bound[3 * a + j][3 * a + k] = exact(entry["allowance"]) * D[j][k]
                         own[i][j][k] = own[i][j][k] + bound[3 * a + j][3 * a + k]
         elif proof == "exchange-bound":
-            # All is divided by the roots of the masses.
-            scale = [root(nodes[i]["mass"]).inverse() for i in at for _ in range(3)]
+            # All is divided by the roots of the masses, which need not matter where a component is held.
+            scale = [root(nodes[i]["mass"]).inverse() if c in nodes[i]["free"] else ZERO for i in at for c in range(3)]
             K = [[scale[i] * K[i][j] * scale[j] for j in range(len(u))] for i in range(len(u))]
             share = {}
             for k, (i, j) in enumerate((i, j) for i in range(len(u)) for j in range(i + 1)):
