@@ -37,6 +37,11 @@ bool RunRepeats::goBack(const MonitorReport& report) {
   // Before the first step, or with the certified one itself, there is nothing to drop.
   if (!certified_ || certified_->result.steps == report.step) return false;
   const std::int64_t from = certified_->result.steps;
+  const double next = smallerStep(report);
+  if (const std::string fault = run_.steps.faultOf(next); !fault.empty()) {
+    run_.end(ExitReason::stepCollapsed, fault);
+    return false;
+  }
   if (fromThere_ == run_.scene.repeats) {
     run_.end(
         ExitReason::stepCollapsed,
@@ -50,7 +55,7 @@ bool RunRepeats::goBack(const MonitorReport& report) {
   MonitorEvent event{.kind = EventKind::repeated,
                      .step = from,
                      .time = certified_->state.time,
-                     .value = smallerStep(report),
+                     .value = next,
                      .h = run_.steps.step(),
                      .end = report.step};
   const RunResult::Repeats before = *run_.result.repeats;

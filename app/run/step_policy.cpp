@@ -8,9 +8,9 @@
 
 namespace ringwatch {
 
-bool StepPolicy::collapsed(double h) const {
+std::string StepPolicy::faultOf(double h) const {
   constexpr double collapse = 1e-6;  // of the first step: a run that needs less goes nowhere
-  return !(h > collapse * first_);
+  return h > collapse * first_ ? std::string() : fmt::format("no step can be certified: reduced to {:.3g} s", h);
 }
 
 std::string StepPolicy::choose(MonitorReport& report, double time, const std::function<void(MonitorReport&)>& prove) {
@@ -20,7 +20,7 @@ std::string StepPolicy::choose(MonitorReport& report, double time, const std::fu
                                        : report.metricStep.has_value() && !(h_ <= *report.metricStep);
   if (wanted_) {
     h_ = nextWithHandler(report);
-    if (collapsed(h_)) return fmt::format("no step can be certified: reduced to {:.3g} s", h_);
+    if (std::string fault = faultOf(h_); !fault.empty()) return fault;
   } else if (automatic ? (report.fresh || (reduce && tooLong)) : (reduce && tooLong)) {
     if (scene_.proves() && !report.fresh) prove(report);
     const double safe = !scene_.proves() ? *report.metricStep : report.bracket ? report.bracket->safe : 0;
@@ -31,7 +31,7 @@ std::string StepPolicy::choose(MonitorReport& report, double time, const std::fu
     if (report.bracket && !automatic && h_ <= report.bracket->safe) next = h_;
     h_ = std::min(next, scene_.end);
     if (first_ <= 0) first_ = h_;
-    if (collapsed(h_)) return fmt::format("no step can be certified: reduced to {:.3g} s", h_);
+    if (std::string fault = faultOf(h_); !fault.empty()) return fault;
   }
   if (automatic && first_ == h_)
     if (const std::string fault = tooMany("steps", h_, scene_.end); !fault.empty())
@@ -59,7 +59,7 @@ double StepPolicy::nextWithHandler(const MonitorReport& report) const {
 }
 
 bool StepPolicy::halve() {
-  if (collapsed(0.5 * h_)) return false;
+  if (!faultOf(0.5 * h_).empty()) return false;
   h_ *= 0.5;
   return true;
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <functional>
 #include <string>
 
@@ -27,19 +28,20 @@ class StepPolicy {
   void judge(MonitorReport& report) const;
   /// The step was shortened to end with the run.
   bool endsTheRun() const { return endsTheRun_; }
-  /// What resume() needs.
+  /// What resume() needs. A run that goes back keeps its first step.
   nlohmann::ordered_json save() const { return {{"h", h_}, {"first", first_}}; }
   void resume(const nlohmann::ordered_json& saved) {
     h_ = saved.at("h").get<double>();
-    first_ = saved.at("first").get<double>();
+    first_ = std::max(first_, saved.at("first").get<double>());
   }
+  /// Why steps of h seconds lead nowhere, beside the first one; "" where they do not.
+  std::string faultOf(double h) const;
   /// Takes steps of h seconds from here on.
   void take(double h) { h_ = h; }
   /// Takes half the step; false where it would collapse.
   bool halve();
 
  private:
-  bool collapsed(double h) const;
   double nextWithHandler(const MonitorReport& report) const;
 
   const Scene& scene_;

@@ -216,5 +216,22 @@ TEST_F(Repeats, AreRefusedWhereNothingCanGoBack) {
   expectRefused("run tiny.toml --set monitor.repeats=3", "monitor.repeats: is for on_violation = \"repeat\"");
 }
 
+// Contact that begins sets a step far below a millionth of the first: no shorter one is worth while.
+TEST_F(Repeats, EndWhereTheStepGoesToNothing) {
+  folder_.write("tiny.toml", std::string(tiny) + R"(
+[[obstacle]]
+kind = "plane"
+point = [0, 0, -1e-3]
+normal = [0, 0, 1]
+velocity = [0, 0, 1]
+[[contact]]
+penalty = 1e20
+)");
+  EXPECT_EQ(run("--out r --set monitor.on_violation=repeat", 1e-4).status, 1);
+  const Json summary = json("r/summary.json");
+  EXPECT_EQ(summary["exit_reason"], "step-collapsed");
+  EXPECT_THAT(summary["exit_text"].get<std::string>(), HasSubstr("no step can be certified"));
+}
+
 }  // namespace
 }  // namespace ringwatch
