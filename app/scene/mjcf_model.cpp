@@ -401,9 +401,12 @@ class MjcfReader {
       R.col(2) = R.col(0).cross(R.col(1));
       return R;
     }
-    if (kind == "zaxis")
-      return Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), direction(e.vector(given, {})))
+    if (kind == "zaxis") {
+      const Eigen::Vector3d z = direction(e.vector(given, {})), axis = Eigen::Vector3d::UnitZ().cross(z);
+      return Eigen::AngleAxisd(std::atan2(axis.norm(), z.z()),
+                               axis.isZero(0) ? Eigen::Vector3d::UnitX() : Eigen::Vector3d(axis.normalized()))
           .toRotationMatrix();
+    }
     const std::vector<double> angles = e.reals(given, 3);
     Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
     for (std::size_t i = 0; i < 3; ++i) {

@@ -499,6 +499,7 @@ TEST_F(MujocoModels, PlaceFlexesWhereTheirFramesAre) {
   expectNear(placed(fmt::format("euler=\"0 0 {}\"", std::numbers::pi / 2), "", "", "<compiler angle=\"radian\"/>")[0],
              {0, 1, 0});
   expectNear(placed("zaxis=\"2 0 0\"", "", "")[3], {1, 0, 0});
+  expectNear(placed("zaxis=\"0 0 -3\"", "", "")[2], {0, -1, 0});  // half a turn about x
   expectNear(placed("xyaxes=\"0 2 0 -1 5 0\"", "", "")[0], {0, 1, 0});
   expectNear(placed("scale=\"3 1 1\" pos=\"1 0 0\"", "", "")[0], {4, 0, 0});
 }
