@@ -289,8 +289,10 @@ void ResultSeries::openFrd(const fs::path& file, const std::string& displacement
     throw InputError(
         joinText(file.string(), ": has no ", displacement_, "; let CalculiX write it with *NODE FILE and U"));
   for (const detail::FrdState& state : *states)
-    entries_.push_back(
-        {state.time, state.increment, joinText(file.string(), ": step ", state.step, ", increment ", state.increment)});
+    entries_.push_back({state.time,
+                        state.increment,
+                        {},
+                        joinText(file.string(), ": step ", state.step, ", increment ", state.increment)});
   const auto numbers = std::make_shared<NumberIndex>(mesh_);
   positions_ = [this, file, text, states, numbers](std::size_t i) {
     NodeVectors x = mesh_.X;
@@ -357,7 +359,7 @@ void ResultSeries::openFrames(const std::vector<VtkFile>& frames, const std::str
     nodes.see(frame.nodesHaveNumbers, file.path);
     elements.see(frame.elementsHaveNumbers, file.path);
     moved = moved || frame.mesh.X != mesh_.X;
-    entries_.push_back({file.time ? file.time : frame.time, frame.increment, file.path.string()});
+    entries_.push_back({file.time ? file.time : frame.time, frame.increment, frame.step, file.path.string()});
     deleted_.push_back(frame.deleted);
   }
   if (!moved)

@@ -15,6 +15,7 @@ namespace ringwatch {
 struct ResultEntry {
   std::optional<double> time;             // s
   std::optional<std::int64_t> increment;  // steps taken up to it
+  std::optional<double> step;             // s, taken from here, where the file tells it
   std::string where;                      // "bar.frd:297", for messages
 };
 

@@ -159,8 +159,9 @@ std::vector<std::int32_t> sameNodes(const Mesh& body, const Mesh& results, const
                   where, body.nodeId(static_cast<std::int32_t>(i)), apart(byNumber, i)));
 }
 
-/// Steps by the times and increments of neighbouring states.
-std::optional<double> meanStep(const ResultEntry& a, const ResultEntry& b) {
+/// The step that is told at a; else the mean by the times and increments of neighbouring states.
+std::optional<double> stepFrom(const ResultEntry& a, const ResultEntry& b) {
+  if (a.step) return a.step;
   if (!a.time || !b.time || !a.increment || !b.increment) return std::nullopt;
   const double time = *b.time - *a.time;
   const auto steps = static_cast<double>(*b.increment - *a.increment);
@@ -175,12 +176,14 @@ std::vector<std::optional<double>> stepsTaken(const std::vector<ResultEntry>& en
     std::fill(steps.begin(), steps.end(), options.step);
     return steps;
   }
-  for (std::size_t i = 0; i + 1 < entries.size(); ++i) steps[i] = meanStep(entries[i], entries[i + 1]);
-  if (entries.size() > 1) steps.back() = steps[entries.size() - 2];
-  // The first increments begin at rest.
-  const ResultEntry rest{0.0, 0, ""};
-  for (std::size_t i = 0; i < entries.size(); ++i)
-    if (!steps[i] && i == 0 && entries.size() == 1) steps[i] = meanStep(rest, entries[i]);
+  for (std::size_t i = 0; i + 1 < entries.size(); ++i) steps[i] = stepFrom(entries[i], entries[i + 1]);
+  const ResultEntry& last = entries.back();
+  if (last.step)
+    steps.back() = last.step;
+  else if (entries.size() > 1)
+    steps.back() = steps[entries.size() - 2];
+  else
+    steps.back() = stepFrom({0.0, 0, {}, ""}, last);  // the first increments begin at rest
   for (std::optional<double>& step : steps)
     if (!step && scene.step && !options.scene.empty()) step = scene.step;
   return steps;

@@ -21,7 +21,7 @@ namespace ringwatch {
 /// A state of another program's results, and what is proven of it.
 struct AuditedState {
   std::size_t index;                 // in the results, from 0
-  std::optional<double> time, step;  // s; step: the mean of those taken from here to the next state
+  std::optional<double> time, step;  // s; step: taken from here, or the mean of those to the next state
   std::optional<std::int64_t> increment;
   std::string where;                      // file or step of the results
   std::size_t notFinite = 0;              // nodes
@@ -70,7 +70,7 @@ struct AuditOptions {
   Options parameters;                          // of the law; must be given without a scene
   std::optional<double> density;               // kg/m³; likewise
   std::string displacement;                    // name of the field; "" for the usual ones
-  std::optional<double> step;                  // s, that they took; empty: by the increments of the results
+  std::optional<double> step;                  // s, that they took; empty: as the results tell, or by their increments
   std::optional<double> limit;                 // h omega of their integrator
   std::string integrator;                      // one of ours with that limit; "" for symplectic-euler
   std::vector<std::string> fix;                // nodes that are held, as inspect's

@@ -31,7 +31,7 @@ struct AuditCommand final : Command {
                         "field of the displacement, m (default: the usual names; without any, the points are taken "
                         "for positions)");
     addTime(*command, "--step", options.step,
-            "step that the run took, s (default: by the times and increments of the results)");
+            "step that the run took, s (default: what the results tell, else by their times and increments)");
     command->add_option("--integrator", options.integrator,
                         "integrator whose limit counts (default: symplectic-euler)");
     command->add_option("--limit", options.limit, "largest stable h omega of theirs, instead of --integrator");

@@ -43,6 +43,7 @@ struct ResultFrame {
   bool deformedPoints = false;  // the file says that its points are deformed positions
   std::optional<double> time;   // s
   std::optional<std::int64_t> increment;
+  std::optional<double> step;              // s, taken from here
   std::vector<std::vector<bool>> deleted;  // [block][element]; empty where the file says of no element that it is
 };
 /// What a message says of the fields of three components at the points, their names in quotes; "" for none.

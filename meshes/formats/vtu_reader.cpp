@@ -715,6 +715,8 @@ ResultFrame readVtuResult(const std::filesystem::path& path, const std::string& 
   const std::map<std::string, double> numbers = reader.numbers();
   for (const char* name : {"TimeValue", "TIME", "time"})
     if (const auto known = numbers.find(name); known != numbers.end()) frame.time = known->second;
+  if (const auto known = numbers.lower_bound("step ("); known != numbers.end() && known->first.starts_with("step ("))
+    frame.step = known->second;  // "step (s)" of a frame of ringwatch, in its unit of time
   return frame;
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -456,6 +457,22 @@ TEST_F(Audits, AgreeWithInspectAboutFrames) {
                   1e-9)
           << frame << side;
   }
+}
+
+TEST_F(Audits, TakeEachStepOfARunThatFollowsItsBracket) {
+  folder_.write("scene.toml", test::tiny);
+  ASSERT_EQ(call("run scene.toml --out r --set output.picture=false --set integrator.step=auto").status, 0);
+  const Json json = audit("r/run.pvd --scene scene.toml", 0);
+  const Table history = table("r/history.csv");
+  std::set<double> steps;
+  for (const Json& state : json["history"]) {
+    std::size_t row = 0;
+    while (row + 1 < history.rows.size() && history.number(row, "time_s") != state["time"])
+      ++row;  // the end has no row
+    EXPECT_EQ(state["step"], history.number(row, "h_s"));
+    steps.insert(state["step"].get<double>());
+  }
+  EXPECT_GE(steps.size(), 3u);
 }
 
 TEST_F(Audits, TakeRulesAndLumpingAsInspectDoes) {
