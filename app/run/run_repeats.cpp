@@ -59,8 +59,9 @@ bool RunRepeats::goBack(const MonitorReport& report) {
                      .h = run_.steps.step(),
                      .end = report.step};
   const RunResult::Repeats before = *run_.result.repeats;
+  const double failed = run_.state.time;
   restore(*certified_);
-  run_.steps.take(event.value);
+  run_.steps.take(event.value, failed);
   run_.result.repeats = {before.count + 1, before.droppedSteps + report.step - from};
   run_.result.events.push_back({event, nullptr, eventText(event, run_.body.mesh())});
   return true;

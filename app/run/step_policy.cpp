@@ -18,21 +18,25 @@ std::string StepPolicy::choose(MonitorReport& report, double time, const std::fu
              reduce = scene_.onViolation == OnViolation::reduceStep || scene_.onViolation == OnViolation::repeat;
   const bool tooLong = scene_.proves() ? report.verdict != Verdict::certified
                                        : report.metricStep.has_value() && !(h_ <= *report.metricStep);
+  const double before = h_;
   if (wanted_) {
-    h_ = nextWithHandler(report);
-    if (std::string fault = faultOf(h_); !fault.empty()) return fault;
+    const std::optional<double> safe = safeOf(report);
+    h_ = safe && h_ > *safe ? std::min(*wanted_, scene_.safety * *safe) : lengthened(report, *wanted_);
   } else if (automatic ? (report.fresh || (reduce && tooLong)) : (reduce && tooLong)) {
     if (scene_.proves() && !report.fresh) prove(report);
-    const double safe = !scene_.proves() ? *report.metricStep : report.bracket ? report.bracket->safe : 0;
+    const double safe = safeOf(report).value_or(0);
     double next = scene_.safety * safe;
-    if (!(next > 0)) next = 0.5 * h_;           // nothing can be certified: keep reducing
-    if (!automatic) next = std::min(next, h_);  // a fixed step is shortened, never lengthened
+    if (!(next > 0)) next = 0.5 * h_;  // nothing can be certified: keep reducing
+    if (!automatic) next = std::min(next, h_);
     // Evaluated at this state, the step is certified after all.
-    if (report.bracket && !automatic && h_ <= report.bracket->safe) next = h_;
+    if (report.bracket && !automatic && h_ <= safe) next = h_;
     h_ = std::min(next, scene_.end);
     if (first_ <= 0) first_ = h_;
-    if (std::string fault = faultOf(h_); !fault.empty()) return fault;
+  } else if (reduce && time >= shortUntil_) {
+    h_ = lengthened(report, scene_.step.value_or(first_));
   }
+  if (h_ != before)
+    if (std::string fault = faultOf(h_); !fault.empty()) return fault;
   if (automatic && first_ == h_)
     if (const std::string fault = tooMany("steps", h_, scene_.end); !fault.empty())
       throw InputError(fmt::format("{}: integrator.end: \"auto\" begins with {}", scene_.file.string(), fault));
@@ -50,12 +54,17 @@ void StepPolicy::judge(MonitorReport& report) const {
     std::erase_if(report.newEvents, [](const MonitorEvent& event) { return event.kind == EventKind::violated; });
 }
 
-double StepPolicy::nextWithHandler(const MonitorReport& report) const {
-  // Every other step makes the handler choose again.
+std::optional<double> StepPolicy::safeOf(const MonitorReport& report) const {
+  if (!scene_.proves()) return report.metricStep;
+  if (!report.fresh || !report.bracket) return std::nullopt;
+  return report.bracket->safe;
+}
+
+double StepPolicy::lengthened(const MonitorReport& report, double most) const {
+  // A handler chooses its elements again at every other step, and a scheme keeps its energy best at one step.
   constexpr double clearlyMore = 1.2;
-  if (!report.fresh || !report.bracket) return h_;
-  const double safe = report.bracket->safe, next = std::min(*wanted_, scene_.safety * safe);
-  return h_ > safe || next > clearlyMore * h_ ? next : h_;
+  const double next = std::min(most, scene_.safety * safeOf(report).value_or(0));
+  return next > clearlyMore * h_ ? next : h_;
 }
 
 bool StepPolicy::halve() {

@@ -29,23 +29,31 @@ class StepPolicy {
   /// The step was shortened to end with the run.
   bool endsTheRun() const { return endsTheRun_; }
   /// What resume() needs. A run that goes back keeps its first step.
-  nlohmann::ordered_json save() const { return {{"h", h_}, {"first", first_}}; }
+  nlohmann::ordered_json save() const { return {{"h", h_}, {"first", first_}, {"short_until", shortUntil_}}; }
   void resume(const nlohmann::ordered_json& saved) {
     h_ = saved.at("h").get<double>();
     first_ = std::max(first_, saved.at("first").get<double>());
+    shortUntil_ = saved.at("short_until").get<double>();
   }
   /// Why steps of h seconds lead nowhere, beside the first one; "" where they do not.
   std::string faultOf(double h) const;
-  /// Takes steps of h seconds from here on.
-  void take(double h) { h_ = h; }
+  /// Takes steps of h seconds from here on, and none that is longer before the time `until` (s).
+  void take(double h, double until) {
+    h_ = h;
+    shortUntil_ = until;
+  }
   /// Takes half the step; false where it would collapse.
   bool halve();
 
  private:
-  double nextWithHandler(const MonitorReport& report) const;
+  /// The largest step (s) that a report allows; empty where it does not tell one of its state.
+  std::optional<double> safeOf(const MonitorReport& report) const;
+  /// The step (s), or a clearly longer one, of at most `most`, that a report allows.
+  double lengthened(const MonitorReport& report, double most) const;
 
   const Scene& scene_;
   double h_, first_ = 0;
+  double shortUntil_ = 0;         // s
   std::optional<double> wanted_;  // s, of "auto" with a handler
   bool endsTheRun_ = false;
 };

@@ -54,7 +54,8 @@ enum class OnViolation { stop, warn, reduceStep, repeat, handle };
 inline constexpr auto onViolationNames = nameTable<OnViolation>({
     {OnViolation::stop, "stop", "stop the run"},
     {OnViolation::warn, "warn", "go on"},
-    {OnViolation::reduceStep, "reduce-step", "shorten the step as soon as it is no longer certified"},
+    {OnViolation::reduceStep, "reduce-step",
+     "shorten the step as soon as it is no longer certified, and lengthen it again where clearly more is"},
     {OnViolation::repeat, "repeat", "go back to the last certified state and take a smaller step from there"},
     {OnViolation::handle, "handle", "give the handler more elements"},
 });

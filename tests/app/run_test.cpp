@@ -199,6 +199,34 @@ TEST_F(Program, ReducesTheStepInTime) {
   }
 }
 
+// A bar that stiffens under tension and is let go.
+TEST_F(Program, TakesALongerStepAgainWhereItIsCertified) {
+  std::string scene = tiny;
+  const std::string steady = "velocity = [0.05, 0, 0]";
+  ASSERT_NE(scene.find(steady), std::string::npos);
+  scene.replace(scene.find(steady), steady.size(), "displacement = [0.06, 0, 0]\nfactor = \"sin(pi*t/0.2)\"");
+  folder_.write("pulled.toml", scene);
+  for (const std::string mode : {"reduce-step", "repeat"}) {
+    const Outcome outcome = call(
+        "run pulled.toml --out r --set integrator.step=2e-3 --set integrator.end=0.2 --set "
+        "output.picture=false --set monitor.on_violation=" +
+        mode);
+    EXPECT_EQ(outcome.status, 0) << outcome.out;
+    EXPECT_EQ(json("r/summary.json")["certified"], true) << mode;
+    const Table history = table("r/history.csv");
+    int shorter = 0, longer = 0;
+    for (std::size_t i = 0; i < history.rows.size(); ++i) {
+      const double h = history.number(i, "h_s"), before = history.number(i > 0 ? i - 1 : 0, "h_s");
+      EXPECT_LE(h, history.number(i, "safe_s")) << mode << i;
+      EXPECT_LE(h, 2e-3) << mode << i;
+      shorter += h < before;
+      longer += h > before;
+    }
+    EXPECT_GE(shorter, 1) << mode;
+    EXPECT_GE(longer, 1) << mode;
+  }
+}
+
 TEST_F(Program, FollowsTheSafeStepWhenAuto) {
   folder_.write("tiny.toml", tiny);
   const Outcome outcome = call("run tiny.toml --out r --set integrator.step=auto --set integrator.safety=0.9");
