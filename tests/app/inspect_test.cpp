@@ -126,6 +126,7 @@ TEST_F(Program, ConcludesWithTheAnswerToTheQuestion) {
   const auto [plain, nothing] = concluded("");
   EXPECT_THAT(nothing, HasSubstr("every step up to " + number(plain["critical_step"]["safe"], "%.6g") +
                                  " s is proven stable; "));
+  EXPECT_THAT(nothing, HasSubstr(" limits the step, without it "));
   EXPECT_THAT(concluded("--step 2.5e-3").second, HasSubstr("a step of 0.0025 s is proven unstable; "));
   EXPECT_THAT(concluded("--step 1e-3").second, HasSubstr("a step of 0.001 s is proven stable; "));
   const auto [range, stretched] = concluded("--stretch 0.7:1.5");
@@ -137,6 +138,8 @@ TEST_F(Program, ConcludesWithTheAnswerToTheQuestion) {
   EXPECT_THAT(
       concluded("--step 1e-3 --prove 1.5e-3").second,
       HasSubstr("a step of 0.001 s is proven stable; a step of 0.0015 s is proven stable by a factorisation; "));
+  ASSERT_EQ(call("mesh generate bar --size 0.2 0.04 0.04 --cells 10,2,2 --jitter 0.2 -o bar.msh").status, 0);
+  EXPECT_THAT(concluded("").second, HasSubstr(" limits the step, and so do others; "));
 }
 
 TEST_F(Program, InspectReportsForPeopleAndFiles) {
