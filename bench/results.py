@@ -33,6 +33,7 @@ TRIALS = {
     "fuzz": [("inputs", r"^inputs: (\d+)"), ("", r"targets with findings: (\d+)")],
     "kills": [("kills", r"^(\d+) kills"), ("resumptions", r"(\d+) resumptions"), ("", r"^\[  FAILED  \] ()\S+ \(")],
     "scenes": [("scenes", r"^(\d+) scenes: "), ("", r"; (\d+) failed; acted")],
+    "coverage": [("lines", r"^coverage: (\d+) lines"), ("branches", r"^coverage: \d+ lines, (\d+) branches"), ("", r"; (\d+) folders below")],
     "faults": [("faults", r"of (\d+) faults were noticed"), ("", r"^NOT CAUGHT()")],
 }
 TESTS = [("tests", r"tests failed out of (\d+)"), ("", r"(\d+) tests failed out of")]  # of the other stages

@@ -28,6 +28,8 @@ LOGS = {
               [(127, "kills"), (81, "resumptions")], 0),
     "scenes": ("scene of seed 7: two threads differ\n500 scenes: 400 with exit status 0; 60 resumed; 1 failed; acted: handlers 3\n", 1, [(500, "scenes")], 1),
     "faults": ("caught  a.cpp: b: t\nNOT CAUGHT  a.cpp: c: \n49 of 50 faults were noticed\n", 1, [(50, "faults")], 1),
+    "coverage": ("monitor   6309 lines   93.8 %    7191 branches   86.5 % below\ncoverage: 17440 lines, 22919 branches; 1 folders below 95 % of lines or 85 % of branches\n", 1,
+                 [(17440, "lines"), (22919, "branches")], 1),
     "asan": ("100% tests passed, 0 tests failed out of 900\n99% tests passed, 3 tests failed out of 90\n", 8, [(990, "tests")], 3),
     "headers": ("nothing is counted\n", 1, [(1, "run")], 1),
 }
