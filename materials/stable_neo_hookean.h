@@ -28,8 +28,8 @@ struct StableNeoHookean {
   static StableNeoHookean of(const Options& parameters) { return {lameConstants(parameters)}; }
   static constexpr auto parametersFor = youngAndPoissonOf;
   Lame restModuli() const { return constants; }
-  double m() const { return 4.0 / 3.0 * constants.mu; }
-  double l() const { return constants.lambda + 5.0 / 6.0 * constants.mu; }
+  RINGWATCH_HOST_DEVICE double m() const { return 4.0 / 3.0 * constants.mu; }
+  RINGWATCH_HOST_DEVICE double l() const { return constants.lambda + 5.0 / 6.0 * constants.mu; }
 
   /// Energy density, J/m³, of the deformation gradient F.
   template <class S>
