@@ -168,8 +168,8 @@ struct TransverselyIsotropic {
 
  private:
   /// ℂ has the eigenvalues 2μ and 2μa, twice each, and those of its 2×2 block on a⊗a and (I - a⊗a)/√2.
-  double blockMean() const { return 0.5 * (3 * lambda + 2 * alpha + beta + 4 * axialMu); }
-  double blockRadius() const {
+  RINGWATCH_HOST_DEVICE double blockMean() const { return 0.5 * (3 * lambda + 2 * alpha + beta + 4 * axialMu); }
+  RINGWATCH_HOST_DEVICE double blockRadius() const {
     const double difference = 0.5 * (2 * alpha - lambda + beta + 4 * (axialMu - mu)), coupling = lambda + alpha;
     return std::sqrt(difference * difference + 2 * coupling * coupling);
   }
